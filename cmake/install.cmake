@@ -1,0 +1,19 @@
+# cmake --install: the library, its headers and the package behind find_package(boxwood).
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxwood)
+
+install(TARGETS boxwood EXPORT boxwood-targets)
+# json_reader.h needs nlohmann_json, which users of the package don't.
+install(DIRECTORY src/boxwood DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.h" PATTERN json_reader.h EXCLUDE)
+install(EXPORT boxwood-targets NAMESPACE boxwood:: DESTINATION ${package_dir})
+
+configure_package_config_file(cmake/boxwood-config.cmake.in ${PROJECT_BINARY_DIR}/boxwood-config.cmake
+    INSTALL_DESTINATION ${package_dir})
+# Until 1.0 a minor version may break what the one before it promised.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxwood-config-version.cmake
+    COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/boxwood-config.cmake ${PROJECT_BINARY_DIR}/boxwood-config-version.cmake
+    DESTINATION ${package_dir})

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/build/build.h"
+
+#include <fmt/format.h>
+
+#include "boxwood/build/binned_sah.h"
+#include "boxwood/build/median.h"
+
+namespace boxwood {
+
+Tree build_tree(MeshView mesh, const BuildOptions& options) {
+    const std::vector<Box3f> boxes = triangle_boxes(mesh);
+    if (options.method == BuildMethod::median)
+        return build_median(boxes, {.centroids = triangle_centroids(mesh)});
+    return build_tree(boxes, options);
+}
+
+Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
+    switch (options.method) {
+        case BuildMethod::median: return build_median(boxes);
+        case BuildMethod::agglomerative: return build_agglomerative(boxes, {options.cost});
+        case BuildMethod::binned_sah: return build_binned_sah(boxes);
+    }
+    return {};
+}
+
+std::optional<std::string> warning_before_build(std::size_t primitives,
+                                                const BuildOptions& options) {
+    if (options.method != BuildMethod::agglomerative || primitives <= kManyToAgglomerate)
+        return std::nullopt;
+    const double minutes = 1e-10 * static_cast<double>(primitives) * static_cast<double>(primitives);
+    return fmt::format(
+        "the agglomerative builder takes quadratic time: for {} triangles about {:.0f} minutes",
+        primitives, minutes);
+}
+
+std::span<const Named<BuildMethod>> build_methods() {
+    static constexpr Named<BuildMethod> kMethods[] = {
+        {"median", BuildMethod::median},
+        {"agglomerative", BuildMethod::agglomerative},
+        {"binned_sah", BuildMethod::binned_sah},
+    };
+    return kMethods;
+}
+
+std::span<const Named<MergeCost>> merge_costs() {
+    static constexpr Named<MergeCost> kCosts[] = {
+        {"centroid_distance", MergeCost::centroid_distance},
+        {"volume_increase", MergeCost::volume_increase},
+        {"surface_area", MergeCost::surface_area},
+    };
+    return kCosts;
+}
+
+}  // namespace boxwood

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "boxwood/build/agglomerative.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+// The index of the builders: one place that knows them all by name.
+
+enum class BuildMethod { median, agglomerative, binned_sah };
+
+struct BuildOptions {
+    BuildMethod method = BuildMethod::binned_sah;
+    MergeCost cost = MergeCost::surface_area;  ///< of agglomerative
+};
+
+/// A tree over the triangles of a mesh, as the method's own header describes it.
+/// Precondition: indices in range.
+Tree build_tree(MeshView mesh, const BuildOptions& options = {});
+
+/// A tree over any boxes.
+Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options = {});
+
+/// What to tell somebody who waits for it when a build will take minutes or more; else nothing.
+std::optional<std::string> warning_before_build(std::size_t primitives,
+                                                const BuildOptions& options);
+
+template <class Value>
+struct Named {
+    std::string_view name;
+    Value value;
+};
+
+std::span<const Named<BuildMethod>> build_methods();
+std::span<const Named<MergeCost>> merge_costs();
+
+}  // namespace boxwood

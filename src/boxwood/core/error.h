@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace boxwood {
+
+/// What every failure of the library is thrown as. The message is one line without a full stop.
+class Error : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An argument that breaks a documented precondition.
+class InvalidInput : public Error {
+public:
+    using Error::Error;
+};
+
+/// A file that doesn't hold what its format demands: "file:line: found ..., expected ...".
+class ParseError : public Error {
+public:
+    /// The place is a line number, a JSON path or whatever finds the fault in the file; an empty
+    /// place is left out.
+    ParseError(const std::string& file, const std::string& place, const std::string& message)
+        : Error(file + (place.empty() ? "" : ":" + place) + ": " + message) {}
+    ParseError(const std::string& file, std::size_t line, const std::string& message)
+        : ParseError(file, std::to_string(line), message) {}
+};
+
+/// A file that can't be opened, read or written: "file: reason".
+class IoError : public Error {
+public:
+    IoError(const std::string& file, const std::string& reason) : Error(file + ": " + reason) {}
+};
+
+}  // namespace boxwood

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <cstddef>
+
+namespace boxwood {
+
+/// Calls body(begin, end) over pieces of [0, count) of at least the given size, on all cores.
+template <class Body>
+void parallel_for(std::size_t count, std::size_t smallest_piece, const Body& body) {
+    if (count <= smallest_piece) {
+        if (count > 0) body(std::size_t{0}, count);
+        return;
+    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, smallest_piece),
+                      [&](const auto& range) { body(range.begin(), range.end()); });
+}
+
+/// Calls both functions, side by side where the work is worth a task.
+template <class First, class Second>
+void invoke_both(bool side_by_side, const First& first, const Second& second) {
+    if (side_by_side) {
+        tbb::parallel_invoke(first, second);
+    } else {
+        first();
+        second();
+    }
+}
+
+/// While it lives, the library uses at most this many threads; 0 means all cores.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(std::size_t threads)
+        : control_(tbb::global_control::max_allowed_parallelism,
+                   threads > 0 ? threads
+                               : tbb::global_control::active_value(
+                                     tbb::global_control::max_allowed_parallelism)) {}
+
+private:
+    tbb::global_control control_;
+};
+
+}  // namespace boxwood

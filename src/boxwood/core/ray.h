@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "boxwood/core/vec.h"
+
+namespace boxwood {
+
+/// Names a triangle of a scene: the mesh by its place in the scene, the triangle by its face index.
+struct TriangleId {
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t mesh = kNone;
+    std::uint32_t triangle = kNone;
+
+    friend bool operator==(const TriangleId&, const TriangleId&) = default;
+};
+
+/// The points origin + t * direction with t_min <= t <= t_max. The direction need not have unit
+/// length; distances t are in multiples of it.
+struct Ray {
+    Vec3d origin = Vec3d::Zero();
+    Vec3d direction = Vec3d(0, 0, -1);
+    double t_min = 0;
+    double t_max = std::numeric_limits<double>::infinity();
+    /// A triangle that this ray doesn't see: the one it starts on, so that no epsilon is needed.
+    TriangleId skip = {};
+
+    Vec3d at(double t) const { return origin + t * direction; }
+};
+
+/// Where a ray meets a triangle (a, b, c): at ray.at(t), or (1 - u - v) a + u b + v c.
+struct Hit {
+    double t = std::numeric_limits<double>::infinity();
+    double u = 0;
+    double v = 0;
+    std::uint32_t triangle = TriangleId::kNone;
+    std::uint32_t mesh = 0;
+};
+
+/// The order of hits along a ray. Equal distances go to the lower (mesh, triangle) index, so that
+/// the closest hit doesn't depend on the order in which a tree is walked.
+inline bool is_closer(const Hit& a, const Hit& b) {
+    if (a.t != b.t) return a.t < b.t;
+    return a.mesh != b.mesh ? a.mesh < b.mesh : a.triangle < b.triangle;
+}
+
+/// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite,
+/// its direction is zero or has its largest coordinate outside [1e-150, 1e150], or t_min > t_max.
+inline bool is_traceable(const Ray& ray) {
+    const double length = ray.direction.lpNorm<Eigen::Infinity>();
+    return ray.origin.allFinite() && ray.direction.allFinite() && length >= 1e-150 &&
+           length <= 1e150 && ray.t_min <= ray.t_max;
+}
+
+}  // namespace boxwood

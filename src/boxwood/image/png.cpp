@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/image/png.h"
+
+#include <png.h>
+
+#include <string>
+#include <vector>
+
+#include "boxwood/core/error.h"
+#include "boxwood/core/files.h"
+
+namespace boxwood {
+
+void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
+    png_image header = {};
+    header.version = PNG_IMAGE_VERSION;
+    header.width = static_cast<png_uint_32>(image.width);
+    header.height = static_cast<png_uint_32>(image.height);
+    header.format = PNG_FORMAT_RGBA;
+    // The image is small and the disk is quick: fast compression costs a few kilobytes.
+    header.flags = PNG_IMAGE_FLAG_FAST;
+
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+    std::vector<std::byte> bytes(size);
+    if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
+        throw IoError(path.string(), std::string("can't be written as PNG: ") + header.message);
+
+    OutputFile file(path);
+    file.write(std::span(bytes).first(size));
+    file.commit();
+}
+
+Rgba8Image read_png(const std::filesystem::path& path) {
+    const MappedFile file(path);
+    png_image header = {};
+    header.version = PNG_IMAGE_VERSION;
+    const auto fail = [&] {
+        const std::string message = header.message;
+        png_image_free(&header);
+        throw ParseError(path.string(), "", "not a readable PNG: " + message);
+    };
+    if (!png_image_begin_read_from_memory(&header, file.text().data(), file.text().size())) fail();
+    header.format = PNG_FORMAT_RGBA;
+    Rgba8Image image(static_cast<int>(header.width), static_cast<int>(header.height), {});
+    if (!png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr)) fail();
+    return image;
+}
+
+}  // namespace boxwood

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/mesh/triangle_mesh.h"
+
+#include <fmt/format.h>
+
+#include "boxwood/core/error.h"
+#include "boxwood/core/parallel.h"
+
+namespace boxwood {
+
+namespace {
+
+constexpr std::size_t kPiece = 4096;
+
+}  // namespace
+
+void check_indices(MeshView mesh) {
+    const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        for (const int index : mesh.faces[i]) {
+            if (index < 0 || index >= count)
+                throw InvalidInput(fmt::format(
+                    "face {} has vertex index {}, expected 0 to {}", i, index, count - 1));
+        }
+    }
+}
+
+std::vector<Box3f> triangle_boxes(MeshView mesh) {
+    std::vector<Box3f> boxes(mesh.faces.size());
+    parallel_for(boxes.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Box3d box;
+            bool finite = true;
+            for (int k = 0; k < 3; ++k) {
+                finite &= mesh.corner(i, k).allFinite();
+                box.extend(mesh.corner(i, k));
+            }
+            if (finite) boxes[i] = rounded_outward(box);
+        }
+    });
+    return boxes;
+}
+
+std::vector<Vec3d> triangle_centroids(MeshView mesh) {
+    std::vector<Vec3d> centroids(mesh.faces.size());
+    parallel_for(centroids.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            centroids[i] = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
+    });
+    return centroids;
+}
+
+Box3d bounds(MeshView mesh) {
+    Box3d box;
+    for (const Vec3d& vertex : mesh.vertices) {
+        if (vertex.allFinite()) box.extend(vertex);
+    }
+    return box;
+}
+
+Vec3d geometric_normal(MeshView mesh, std::size_t face) {
+    const Vec3d a = mesh.corner(face, 0);
+    return (mesh.corner(face, 1) - a).cross(mesh.corner(face, 2) - a).normalized();
+}
+
+}  // namespace boxwood

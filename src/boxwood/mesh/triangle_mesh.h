@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "boxwood/core/box.h"
+#include "boxwood/core/vec.h"
+
+namespace boxwood {
+
+/// Triangles over arrays that somebody else owns. A face holds the indices of its corners a, b, c;
+/// its front is the side from which they turn counter-clockwise.
+struct MeshView {
+    std::span<const Vec3d> vertices;
+    std::span<const Vec3i> faces;
+
+    const Vec3d& corner(std::size_t face, int k) const { return vertices[faces[face][k]]; }
+};
+
+/// An indexed triangle mesh.
+struct TriangleMesh {
+    std::vector<Vec3d> vertices;
+    std::vector<Vec3i> faces;
+
+    operator MeshView() const { return {vertices, faces}; }
+};
+
+/// Throws InvalidInput, naming the face, when a face has an index outside [0, vertices).
+void check_indices(MeshView mesh);
+
+/// The box of each triangle, rounded outward to float: empty when a corner is not finite or beyond
+/// the range of float, so that no query visits the triangle. O(n), all cores.
+std::vector<Box3f> triangle_boxes(MeshView mesh);
+
+/// The mean of each triangle's corners. O(n), all cores.
+std::vector<Vec3d> triangle_centroids(MeshView mesh);
+
+/// The box of all vertices that are finite.
+Box3d bounds(MeshView mesh);
+
+/// normalize((b - a) x (c - a)); zero for a triangle of zero area.
+Vec3d geometric_normal(MeshView mesh, std::size_t face);
+
+}  // namespace boxwood

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ray tracing a triangle mesh without any tree: test every triangle. Slow, simple, and the oracle
+// for everything else. Explained in docs/algorithms/brute_force.md.
+#include "boxwood/query/brute_force.h"
+
+#include "boxwood/query/mesh_ray.h"
+
+namespace boxwood {
+
+std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
+                                           TraversalCounts* counts) noexcept {
+    if (!is_traceable(ray)) return std::nullopt;
+    const MeshRay mesh_ray(mesh, ray);
+    std::optional<Hit> closest;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        const auto hit = mesh_ray.intersect(i, ray.t_max);
+        if (hit && (!closest || is_closer(*hit, *closest))) closest = hit;
+    }
+    if (counts) counts->primitives += mesh.faces.size();
+    return closest;
+}
+
+bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept {
+    if (!is_traceable(ray)) return false;
+    const MeshRay mesh_ray(mesh, ray);
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (mesh_ray.intersect(i, ray.t_max)) return true;
+    }
+    return false;
+}
+
+}  // namespace boxwood

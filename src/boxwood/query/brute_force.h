@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "boxwood/core/ray.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/traverse.h"
+
+namespace boxwood {
+
+/// The answer of closest_hit(), by testing every triangle. O(n).
+std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
+                                           TraversalCounts* counts = nullptr) noexcept;
+
+/// The answer of any_hit(), by testing triangles until one is hit. O(n).
+bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept;
+
+}  // namespace boxwood

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "boxwood/image/image.h"
+#include "boxwood/render/surfaces.h"
+#include "boxwood/world/world.h"
+
+namespace boxwood {
+
+enum class IntegratorKind { phong, whitted, normal, depth, heat };
+
+/// What a picture shows: turns each camera ray into a colour. One integrator a file.
+class Integrator {
+public:
+    virtual ~Integrator() = default;
+
+    /// What the ray sees. Called from many threads at once.
+    virtual Color radiance(const Ray& ray) const = 0;
+
+    /// Whether rays should leave from all over the camera's lens.
+    virtual bool uses_lens() const { return false; }
+
+    /// What radiance() measured, turned into colours once all pixels are known.
+    virtual void develop(ColorImage&) const {}
+};
+
+/// The bounces limit how often whitted follows a ray. The arguments must outlive the integrator.
+std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const World& world,
+                                            const Surfaces& surfaces, int bounces);
+
+}  // namespace boxwood

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "boxwood/render/integrator.h"
+
+namespace boxwood {
+
+class NormalIntegrator : public Integrator {
+public:
+    explicit NormalIntegrator(const Surfaces& surfaces) : surfaces_(surfaces) {}
+
+    Color radiance(const Ray& ray) const override;
+
+private:
+    const Surfaces& surfaces_;
+};
+
+}  // namespace boxwood

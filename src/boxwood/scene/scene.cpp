@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/scene/scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "boxwood/query/any_hit.h"
+#include "boxwood/query/brute_force.h"
+#include "boxwood/query/closest_hit.h"
+
+namespace boxwood {
+
+namespace {
+
+/// The ray as a mesh of the scene sees it.
+Ray ray_in_mesh(Ray ray, std::uint32_t mesh) {
+    if (ray.skip.mesh != mesh) ray.skip = {};
+    return ray;
+}
+
+}  // namespace
+
+Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
+    : meshes_(std::move(meshes)) {
+    for (const MeshView& mesh : meshes_) check_indices(mesh);
+    if (options.brute_force) return;
+
+    std::vector<Box3f> boxes;
+    for (const MeshView& mesh : meshes_) {
+        trees_.push_back(build_tree(mesh, options.build));
+        boxes.push_back(trees_.back().is_empty() ? Box3f{} : trees_.back().root().box);
+    }
+    top_ = build_tree(boxes);
+}
+
+std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts* counts) const noexcept {
+    if (!is_traceable(ray)) return std::nullopt;
+    std::optional<Hit> closest;
+    const auto visit = [&](std::uint32_t mesh, double t_max) {
+        Ray shortened = ray_in_mesh(ray, mesh);
+        shortened.t_max = t_max;
+        auto hit = trees_.empty()
+                       ? closest_hit_brute_force(meshes_[mesh], shortened, counts)
+                       : boxwood::closest_hit(meshes_[mesh], trees_[mesh], shortened, counts);
+        if (!hit) return t_max;
+        hit->mesh = mesh;
+        if (!closest || is_closer(*hit, *closest)) closest = hit;
+        return closest->t;
+    };
+
+    if (!top_.is_empty()) {
+        traverse(top_, ray, visit, counts);
+    } else {
+        double t_max = ray.t_max;
+        for (std::uint32_t mesh = 0; mesh < meshes_.size(); ++mesh) t_max = visit(mesh, t_max);
+    }
+    return closest;
+}
+
+bool Scene::any_hit(const Ray& ray) const noexcept {
+    if (!is_traceable(ray)) return false;
+    bool found = false;
+    const auto visit = [&](std::uint32_t mesh, double t_max) {
+        const Ray mesh_ray = ray_in_mesh(ray, mesh);
+        found = found || (trees_.empty() ? any_hit_brute_force(meshes_[mesh], mesh_ray)
+                                         : boxwood::any_hit(meshes_[mesh], trees_[mesh], mesh_ray));
+        return found ? kEndOfWalk : t_max;
+    };
+
+    if (!top_.is_empty()) {
+        traverse(top_, ray, visit);
+    } else {
+        for (std::uint32_t mesh = 0; mesh < meshes_.size() && !found; ++mesh) visit(mesh, ray.t_max);
+    }
+    return found;
+}
+
+}  // namespace boxwood

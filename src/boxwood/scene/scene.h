@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "boxwood/build/build.h"
+#include "boxwood/core/ray.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/traverse.h"
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+/// How a scene finds its hits.
+struct SceneOptions {
+    BuildOptions build = {};
+    bool brute_force = false;  ///< no trees: test every triangle
+};
+
+/// Triangle meshes that can be asked what a ray hits. It refers to the meshes' arrays, which must
+/// outlive it and stay as they are. Queries may run from any number of threads at once.
+class Scene {
+public:
+    /// Throws InvalidInput when a face has an index out of range. Costs what the builder costs.
+    explicit Scene(std::vector<MeshView> meshes, const SceneOptions& options = {});
+
+    /// The hit with the least t in [ray.t_min, ray.t_max], or nothing. Equal distances go to the
+    /// lower (mesh, triangle), so the answer doesn't depend on the options. See closest_hit.h.
+    std::optional<Hit> closest_hit(const Ray& ray, TraversalCounts* counts = nullptr) const noexcept;
+
+    /// Whether anything is hit in [ray.t_min, ray.t_max].
+    bool any_hit(const Ray& ray) const noexcept;
+
+    std::span<const MeshView> meshes() const { return meshes_; }
+    /// One a mesh; none where it is brute force.
+    std::span<const Tree> trees() const { return trees_; }
+
+private:
+    std::vector<MeshView> meshes_;
+    std::vector<Tree> trees_;
+    Tree top_;  ///< over the meshes
+};
+
+}  // namespace boxwood

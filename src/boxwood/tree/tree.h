@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxwood/core/box.h"
+
+namespace boxwood {
+
+/// A node of a binary tree of boxes: an inner node with two children that stand side by side, or a
+/// leaf with a range of primitives.
+struct Node {
+    Box3f box;
+    /// Inner node: the index of the left child; the right one follows it. Leaf: the place in
+    /// Tree::order of the first primitive.
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;  ///< primitives of a leaf; 0 says inner node
+
+    bool is_leaf() const { return count > 0; }
+    std::uint32_t left() const { return first; }
+    std::uint32_t right() const { return first + 1; }
+};
+
+/// A binary AABB tree over primitives known by their index: what every builder makes, and what is
+/// queried, measured and drawn. The root is node 0; a tree over nothing has no nodes.
+struct Tree {
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> order;  ///< a permutation of the primitives; leaves are ranges of it
+
+    bool is_empty() const { return nodes.empty(); }
+    const Node& root() const { return nodes.front(); }
+    std::span<const std::uint32_t> primitives(const Node& leaf) const {
+        return {order.data() + leaf.first, leaf.count};
+    }
+};
+
+}  // namespace boxwood

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/tree/validate.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace boxwood {
+
+std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes) {
+    if (tree.order.size() != boxes.size())
+        return fmt::format("{} primitives in the order, expected {}", tree.order.size(),
+                           boxes.size());
+    if (tree.is_empty()) {
+        if (boxes.empty()) return std::nullopt;
+        return fmt::format("no nodes over {} primitives", boxes.size());
+    }
+
+    std::vector<bool> node_seen(tree.nodes.size());
+    std::vector<bool> primitive_seen(boxes.size());
+    std::vector<std::uint32_t> stack = {0};
+    std::size_t nodes = 0, primitives = 0;
+    while (!stack.empty()) {
+        const std::uint32_t index = stack.back();
+        stack.pop_back();
+        if (node_seen[index]) return fmt::format("node {} has two parents", index);
+        node_seen[index] = true;
+        ++nodes;
+
+        const Node& node = tree.nodes[index];
+        Box3f content;
+        if (node.is_leaf()) {
+            if (std::uint64_t{node.first} + node.count > tree.order.size())
+                return fmt::format("leaf {} ends beyond the order", index);
+            for (const std::uint32_t primitive : tree.primitives(node)) {
+                if (primitive >= boxes.size())
+                    return fmt::format("leaf {} holds unknown primitive {}", index, primitive);
+                if (primitive_seen[primitive])
+                    return fmt::format("primitive {} is in two leaves", primitive);
+                primitive_seen[primitive] = true;
+                ++primitives;
+                content.extend(boxes[primitive]);
+            }
+        } else {
+            if (std::uint64_t{node.first} + 1 >= tree.nodes.size())
+                return fmt::format("node {} has children beyond the last node", index);
+            for (const std::uint32_t child : {node.left(), node.right()}) {
+                content.extend(tree.nodes[child].box);
+                stack.push_back(child);
+            }
+        }
+        if (node.box != content) return fmt::format("the box of node {} isn't tight", index);
+    }
+    if (nodes != tree.nodes.size())
+        return fmt::format("{} of {} nodes are reached", nodes, tree.nodes.size());
+    if (primitives != boxes.size())
+        return fmt::format("{} of {} primitives are in leaves", primitives, boxes.size());
+    return std::nullopt;
+}
+
+}  // namespace boxwood

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+/// What is wrong with a tree over these boxes, one line for the first fault found; nothing when it
+/// is valid: each primitive in exactly one leaf, each node reached exactly once, and each box the
+/// smallest around what is below it. O(n).
+std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes);
+
+}  // namespace boxwood
