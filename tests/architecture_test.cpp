@@ -71,6 +71,7 @@ bool is_core_files(const Line& line) { return matches(line.path, R"(/core/files\
 std::vector<Line> lines_of(const char* path, const std::vector<const char*>& texts,
                            std::size_t number = 2) {
     std::vector<Line> lines;
+    lines.reserve(texts.size());
     for (const char* text : texts) lines.push_back({path, number, text, text});
     return lines;
 }

@@ -4,9 +4,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "boxwood/build/agglomerative.h"
+#include "boxwood/core/named.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/tree/tree.h"
 
@@ -31,12 +31,6 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options = {});
 /// What to tell somebody who waits for it when a build will take minutes or more; else nothing.
 std::optional<std::string> warning_before_build(std::size_t primitives,
                                                 const BuildOptions& options);
-
-template <class Value>
-struct Named {
-    std::string_view name;
-    Value value;
-};
 
 std::span<const Named<BuildMethod>> build_methods();
 std::span<const Named<MergeCost>> merge_costs();

@@ -3,8 +3,8 @@
 
 #include <memory>
 #include <span>
-#include <string_view>
 
+#include "boxwood/core/named.h"
 #include "boxwood/image/image.h"
 #include "boxwood/render/surfaces.h"
 #include "boxwood/world/world.h"
@@ -31,5 +31,7 @@ public:
 /// The bounces limit how often whitted follows a ray. The arguments must outlive the integrator.
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const World& world,
                                             const Surfaces& surfaces, int bounces);
+
+std::span<const Named<IntegratorKind>> integrators();
 
 }  // namespace boxwood

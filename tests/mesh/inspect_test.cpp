@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/mesh/inspect.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+
+#include "boxwood/core/parallel.h"
+#include "boxwood/mesh/generate.h"
+
+namespace boxwood {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A tetrahedron, outside in front.
+TriangleMesh tetrahedron() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+            {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+/// The same triangles without a shared vertex.
+TriangleMesh torn_apart(const TriangleMesh& mesh) {
+    TriangleMesh result;
+    for (const Vec3i& face : mesh.faces) {
+        const int first = static_cast<int>(result.vertices.size());
+        for (const int index : face)
+            result.vertices.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
+        result.faces.emplace_back(first, first + 1, first + 2);
+    }
+    return result;
+}
+
+std::size_t degenerate(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return inspect(TriangleMesh{{a, b, c}, {{0, 1, 2}}}).degenerate_faces;
+}
+
+TEST(Inspect, a_tetrahedron_is_closed) {
+    const MeshReport report = inspect(tetrahedron());
+    EXPECT_EQ(report.vertices, 4u);
+    EXPECT_EQ(report.faces, 4u);
+    EXPECT_EQ(report.bounds, (Box3d{{0, 0, 0}, {1, 1, 1}}));
+    EXPECT_EQ(report.degenerate_faces, 0u);
+    EXPECT_EQ(report.boundary_edges, 0u);
+    EXPECT_EQ(report.nonmanifold_edges, 0u);
+    EXPECT_EQ(report.flipped_edges, 0u);
+    EXPECT_TRUE(report.closed);
+}
+
+TEST(Inspect, nothing_is_not_closed) {
+    EXPECT_FALSE(inspect({}).closed);
+    EXPECT_FALSE(inspect(TriangleMesh{{{0, 0, 0}}, {}}).closed);
+    EXPECT_TRUE(inspect({}).bounds.is_empty());
+}
+
+TEST(Inspect, a_missing_face_leaves_three_boundary_edges) {
+    TriangleMesh mesh = tetrahedron();
+    mesh.faces.pop_back();
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.boundary_edges, 3u);
+    EXPECT_FALSE(report.closed);
+}
+
+TEST(Inspect, a_turned_face_flips_its_three_edges_and_stays_closed) {
+    TriangleMesh mesh = tetrahedron();
+    std::swap(mesh.faces[1][0], mesh.faces[1][1]);
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.flipped_edges, 3u);
+    EXPECT_TRUE(report.closed);
+}
+
+TEST(Inspect, a_fin_makes_an_edge_nonmanifold) {
+    TriangleMesh mesh = tetrahedron();
+    mesh.vertices.emplace_back(2, 2, 2);
+    mesh.faces.emplace_back(0, 1, 4);
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.nonmanifold_edges, 1u);
+    EXPECT_EQ(report.boundary_edges, 2u);
+    EXPECT_FALSE(report.closed);
+}
+
+TEST(Inspect, a_face_that_is_there_twice_makes_its_edges_nonmanifold) {
+    TriangleMesh mesh = tetrahedron();
+    mesh.faces.push_back(mesh.faces[0]);
+    EXPECT_EQ(inspect(mesh).nonmanifold_edges, 3u);
+}
+
+TEST(Inspect, faces_meet_where_positions_are_equal_whatever_the_indices) {
+    EXPECT_TRUE(inspect(torn_apart(tetrahedron())).closed);
+    EXPECT_TRUE(inspect(torn_apart(generate_gyroid(5000))).closed);
+}
+
+TEST(Inspect, plus_and_minus_zero_are_the_same_place) {
+    TriangleMesh mesh = torn_apart(tetrahedron());
+    for (std::size_t i = 0; i < mesh.vertices.size(); i += 2)
+        for (double& x : mesh.vertices[i])
+            if (x == 0) x = -0.0;
+    EXPECT_TRUE(inspect(mesh).closed);
+}
+
+TEST(Inspect, triangles_of_zero_area_are_degenerate) {
+    EXPECT_EQ(degenerate({0, 0, 0}, {0, 0, 0}, {1, 0, 0}), 1u);
+    EXPECT_EQ(degenerate({1, 2, 3}, {1, 2, 3}, {1, 2, 3}), 1u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {1, 2, 3}, {3, 6, 9}), 1u);
+    EXPECT_EQ(degenerate({0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}, {0.3, 0.2, 0.7}), 1u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {1e-200, 0, 0}, {2e-200, -0.0, 0}), 1u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0u);
+}
+
+TEST(Inspect, small_large_and_thin_triangles_are_not_degenerate) {
+    EXPECT_EQ(degenerate({0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}), 0u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {5e-324, 0, 0}, {0, 5e-324, 0}), 0u);
+    EXPECT_EQ(degenerate({-3e38, 0, 0}, {3e38, 0, 0}, {0, 3e38, 0}), 0u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {1e30, 0, 0}, {1e30, 1e-250, 0}), 0u);
+    EXPECT_EQ(degenerate({0, 0, 0}, {1, 1, 0}, {1 + 0x1p-52, 1, 0}), 0u);
+}
+
+TEST(Inspect, triangles_with_a_corner_that_no_box_holds_are_degenerate) {
+    for (const double bad : {kNaN, kInfinity, -kInfinity, 1e39, -1e300})
+        EXPECT_EQ(degenerate({0, 0, 0}, {1, 0, 0}, {0, bad, 0}), 1u) << bad;
+}
+
+TEST(Inspect, vertices_that_are_not_finite_open_the_surface) {
+    for (const double bad : {kNaN, kInfinity}) {
+        TriangleMesh mesh = generate_icosphere(2000);
+        mesh.vertices[3].z() = bad;  // a corner of the icosahedron, of five faces
+        const MeshReport report = inspect(mesh);
+        EXPECT_EQ(report.degenerate_faces, 5u);
+        EXPECT_EQ(report.boundary_edges, 5u);
+        EXPECT_FALSE(report.closed);
+        EXPECT_TRUE(report.bounds.lo.allFinite() && report.bounds.hi.allFinite());
+    }
+}
+
+TEST(Inspect, many_not_finite_vertices_do_not_disturb_the_others) {
+    TriangleMesh mesh = generate_icosphere(2000);
+    for (int i = 0; i < 5000; ++i) mesh.vertices.emplace_back(kNaN, i % 7, i % 2 ? kInfinity : -1);
+    EXPECT_TRUE(inspect(mesh).closed);
+}
+
+TEST(Inspect, a_collapsed_face_between_two_whole_ones_leaves_them_neighbours) {
+    TriangleMesh mesh = tetrahedron();
+    mesh.vertices.push_back(mesh.vertices[1]);
+    mesh.faces.emplace_back(0, 1, 4);
+    mesh.faces.emplace_back(2, 2, 2);
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.degenerate_faces, 2u);
+    EXPECT_TRUE(report.closed);
+}
+
+TEST(Inspect, a_sliver_that_fills_a_seam_counts_for_closedness) {
+    // The edge from vertex 0 to vertex 1 is halved on one of its sides only.
+    TriangleMesh mesh = tetrahedron();
+    mesh.vertices.emplace_back(0.5, 0, 0);
+    mesh.faces[0] = {0, 2, 4};
+    mesh.faces.emplace_back(4, 2, 1);
+    EXPECT_FALSE(inspect(mesh).closed);
+    mesh.faces.emplace_back(0, 4, 1);
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.degenerate_faces, 1u);
+    EXPECT_EQ(report.flipped_edges, 0u);
+    EXPECT_TRUE(report.closed);
+}
+
+TEST(Inspect, the_report_does_not_depend_on_the_number_of_threads) {
+    TriangleMesh mesh = generate_soup(20000);
+    for (std::size_t i = 0; i < mesh.vertices.size(); i += 5) mesh.vertices[i] = Vec3d::Zero();
+    const MeshReport many = inspect(mesh);
+    const ThreadLimit limit(1);
+    const MeshReport one = inspect(mesh);
+    EXPECT_EQ(one.degenerate_faces, many.degenerate_faces);
+    EXPECT_EQ(one.boundary_edges, many.boundary_edges);
+    EXPECT_EQ(one.nonmanifold_edges, many.nonmanifold_edges);
+    EXPECT_EQ(one.flipped_edges, many.flipped_edges);
+}
+
+}  // namespace
+}  // namespace boxwood
