@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sine and cosine of angles counted in full turns, the same to the last bit on every machine, which
 // the C library's are not: generated meshes must not depend on it. Taylor series after reduction to
-// an eighth of a turn; the error is about one unit in the last place.
+// an eighth of a turn; the error is below 4e-16.
 #pragma once
 
 #include <cmath>

@@ -30,6 +30,8 @@ void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
     file.commit();
 }
 
+void check_png_path(const std::filesystem::path& path) { const OutputFile trial(path); }
+
 Rgba8Image read_png(const std::filesystem::path& path) {
     const MappedFile file(path);
     png_image header = {};

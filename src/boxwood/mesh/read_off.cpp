@@ -185,8 +185,10 @@ private:
             if (!index) fail_integer(scanner);
             const auto vertices = static_cast<std::int64_t>(header_.vertices);
             if (*index < 0 || *index >= vertices)
-                fail(scanner, fmt::format("face {} has vertex index {}, expected 0 to {}", i,
-                                          *index, vertices - 1));
+                fail(scanner,
+                     fmt::format("face {} has vertex index {}, {}", i, *index,
+                                 vertices > 0 ? fmt::format("expected 0 to {}", vertices - 1)
+                                              : "but there are no vertices"));
             triangle[k == 0 ? 0 : k == 1 ? 1 : 2] = static_cast<int>(*index);
             if (k < 2) continue;
             faces.push_back(triangle);

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "boxwood/mesh/read_mesh.h"
+#include "boxwood/mesh/mesh_file.h"
 #include "boxwood/world/json_reader.h"
 
 namespace boxwood {

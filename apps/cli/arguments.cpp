@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "boxwood/mesh/generate.h"
+#include "boxwood/mesh/mesh_file.h"
+
+namespace boxwood::cli {
+
+namespace {
+
+constexpr const char* kBrute = "brute";
+
+/// 250, 10k or 1M.
+std::optional<std::size_t> parse_count(std::string_view text) {
+    std::size_t factor = 1;
+    if (text.ends_with('k')) factor = 1'000;
+    if (text.ends_with('M')) factor = 1'000'000;
+    if (factor > 1) text.remove_suffix(1);
+    std::size_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    const bool is_number = error == std::errc{} && end == text.data() + text.size();
+    if (!is_number || count == 0 || count > 1'000'000'000) return std::nullopt;
+    return count * factor;
+}
+
+}  // namespace
+
+SceneOptions Accelerator::scene_options() const {
+    if (name == kBrute) return {.brute_force = true};
+    return {.build = {value_of(build_methods(), name), value_of(merge_costs(), cost)}};
+}
+
+void add_cost(CLI::App& command, std::string& cost) {
+    command.add_option("--cost", cost, "what agglomerative minimises when it merges two nodes")
+        ->check(CLI::IsMember(names(merge_costs())))
+        ->capture_default_str();
+}
+
+void add_threads(CLI::App& command, std::size_t& threads) {
+    command.add_option("--threads", threads, "threads to use; 0 for all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+}
+
+std::vector<std::string> accelerator_names() {
+    std::vector<std::string> result = names(build_methods());
+    result.insert(result.begin(), kBrute);
+    return result;
+}
+
+TriangleMesh load_mesh(const std::string& argument) {
+    const std::size_t colon = argument.rfind(':');
+    if (colon != std::string::npos && !std::filesystem::exists(argument)) {
+        const std::string shape = argument.substr(0, colon);
+        const auto& shapes = generated_shapes();
+        const auto count = parse_count(std::string_view(argument).substr(colon + 1));
+        if (count && std::find(shapes.begin(), shapes.end(), shape) != shapes.end())
+            return generate(shape, *count);
+    }
+    return read_mesh(argument);
+}
+
+std::string mesh_argument_help() {
+    return fmt::format("a mesh file, or a generated shape such as gyroid:100k ({})",
+                       fmt::join(generated_shapes(), ", "));
+}
+
+}  // namespace boxwood::cli

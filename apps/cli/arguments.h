@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "boxwood/core/named.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/scene/scene.h"
+
+namespace boxwood::cli {
+
+/// How hits are found, as a user names it.
+struct Accelerator {
+    std::string name = "binned_sah";
+    std::string cost = "surface_area";
+
+    SceneOptions scene_options() const;
+};
+
+/// Adds --cost, and to all where it is asked for, --threads.
+void add_cost(CLI::App& command, std::string& cost);
+void add_threads(CLI::App& command, std::size_t& threads);
+
+/// "brute" and the builders.
+std::vector<std::string> accelerator_names();
+
+template <class Value>
+std::vector<std::string> names(std::span<const Named<Value>> choices) {
+    std::vector<std::string> result;
+    for (const auto& choice : choices) result.emplace_back(choice.name);
+    return result;
+}
+
+/// The value of a name that a CLI::IsMember check let through.
+template <class Value>
+Value value_of(std::span<const Named<Value>> choices, const std::string& name) {
+    for (const auto& choice : choices) {
+        if (choice.name == name) return choice.value;
+    }
+    throw CLI::ValidationError(name);
+}
+
+/// A mesh file, or a generated shape as SHAPE:COUNT, such as gyroid:100k.
+TriangleMesh load_mesh(const std::string& argument);
+
+/// Help for it.
+std::string mesh_argument_help();
+
+}  // namespace boxwood::cli
