@@ -8,6 +8,7 @@ install(TARGETS boxwood EXPORT boxwood-targets)
 # json_reader.h needs nlohmann_json, which users of the package don't.
 install(DIRECTORY src/boxwood DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
     FILES_MATCHING PATTERN "*.h" PATTERN json_reader.h EXCLUDE)
+install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/boxwood)
 install(EXPORT boxwood-targets NAMESPACE boxwood:: DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/boxwood-config.cmake.in ${PROJECT_BINARY_DIR}/boxwood-config.cmake

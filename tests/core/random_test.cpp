@@ -35,9 +35,9 @@ TEST(Uniform, is_a_function_of_its_arguments) {
 }
 
 TEST(Uniform, gives_the_same_bits_on_every_machine) {
-    EXPECT_EQ(uniform(0, 0, 0), GOLDEN0);
-    EXPECT_EQ(uniform(1, 2, 3), GOLDEN1);
-    EXPECT_EQ(uniform(0xffffffffffffffffu, 0xffffffffffffffffu, 0xffffffffu), GOLDEN2);
+    EXPECT_EQ(uniform(0, 0, 0), 0x1.5a2a6c2c68b00p-2);
+    EXPECT_EQ(uniform(1, 2, 3), 0x1.1c3cdd59548bep-1);
+    EXPECT_EQ(uniform(0xffffffffffffffffu, 0xffffffffffffffffu, 0xffffffffu), 0x1.78ce973ddec14p-3);
 }
 
 TEST(Uniform, neighbours_do_not_collide) {

@@ -9,10 +9,10 @@ namespace boxwood {
 namespace {
 
 TEST(Turns, agree_with_the_sine_and_cosine_of_the_c_library) {
-    for (int i = -4000; i <= 4000; ++i) {
-        const double x = i / 1009.0;
-        EXPECT_NEAR(sin_turns(x), std::sin(2 * std::acos(-1.0) * x), 4e-15) << x;
-        EXPECT_NEAR(cos_turns(x), std::cos(2 * std::acos(-1.0) * x), 4e-15) << x;
+    for (int i = -1000; i <= 1000; ++i) {
+        const double x = i / 1009.0;  // few turns, as 2 pi x is rounded
+        EXPECT_NEAR(sin_turns(x), std::sin(2 * std::acos(-1.0) * x), 2e-15) << x;
+        EXPECT_NEAR(cos_turns(x), std::cos(2 * std::acos(-1.0) * x), 2e-15) << x;
     }
 }
 
@@ -32,7 +32,7 @@ TEST(Turns, are_exact_at_quarters) {
 TEST(Turns, lie_on_the_unit_circle) {
     for (int i = 0; i < 10000; ++i) {
         const double s = sin_turns(i / 10007.0), c = cos_turns(i / 10007.0);
-        EXPECT_NEAR(s * s + c * c, 1, 5e-16) << i;
+        EXPECT_NEAR(s * s + c * c, 1, 1e-15) << i;
         EXPECT_LE(std::abs(s), 1);
         EXPECT_LE(std::abs(c), 1);
     }
