@@ -29,7 +29,7 @@ struct Row {
     std::string accelerator;
     double build_seconds = 0;
     std::size_t bytes = 0;
-    std::vector<double> seconds;  ///< by ray set
+    std::vector<double> seconds = {};  ///< by ray set
 };
 
 /// The least time of three passes over the rays, or over as many as half a second allows.

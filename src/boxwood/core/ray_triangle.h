@@ -33,10 +33,10 @@ struct ShearedRay {
         sz = 1 / ray.direction[kz];
     }
 
-    Vec3d shear(const Vec3d& vertex) const {
-        const Vec3d p = vertex - origin;
-        return {p[kx] - sx * p[kz], p[ky] - sy * p[kz], sz * p[kz]};
-    }
+    // The coordinates of a vertex in the sheared space.
+    double x(const Vec3d& p) const { return (p[kx] - origin[kx]) - sx * (p[kz] - origin[kz]); }
+    double y(const Vec3d& p) const { return (p[ky] - origin[ky]) - sy * (p[kz] - origin[kz]); }
+    double z(const Vec3d& p) const { return sz * (p[kz] - origin[kz]); }
 };
 
 /// a * b - c * d with an error of at most 1.5 units in the last place, so with its exact sign.
@@ -55,36 +55,40 @@ struct TriangleHit {
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
 /// t_min <= t <= t_max. No hit on triangles of zero area, on those that the ray's line lies in the
 /// plane of, and where a coordinate is NaN.
-inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& vertex_a,
-                                            const Vec3d& vertex_b, const Vec3d& vertex_c,
-                                            double t_min, double t_max) {
-    const Vec3d a = ray.shear(vertex_a);
-    const Vec3d b = ray.shear(vertex_b);
-    const Vec3d c = ray.shear(vertex_c);
+inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
+                                            const Vec3d& c, double t_min, double t_max) {
+    // Most triangles lie to one side of the axis, where x and y are 0; which side nobody can predict.
+    const auto same_sign = [](double p, double q, double r) {
+        return ((p > 0) & (q > 0) & (r > 0)) | ((p < 0) & (q < 0) & (r < 0));
+    };
+    const double ax = ray.x(a), bx = ray.x(b), cx = ray.x(c);
+    if (same_sign(ax, bx, cx)) return std::nullopt;
+    const double ay = ray.y(a), by = ray.y(b), cy = ray.y(c);
+    if (same_sign(ay, by, cy)) return std::nullopt;
 
-    // Edge functions in plain arithmetic settle nearly all misses: two that surely differ in sign.
+    // Edge functions in plain arithmetic settle nearly all other misses: two surely differ in sign.
     constexpr double kRounding = 0x1p-51;
     bool some_positive = false, some_negative = false;
-    const auto look_at_edge = [&](const Vec3d& p, const Vec3d& q) {
-        const double pq = p.x() * q.y(), qp = p.y() * q.x();
+    const auto look_at_edge = [&](double px, double py, double qx, double qy) {
+        const double pq = px * qy, qp = py * qx;
         const double bound = kRounding * (std::abs(pq) + std::abs(qp));
         some_positive |= pq - qp > bound;
         some_negative |= pq - qp < -bound;
     };
-    look_at_edge(c, b);
-    look_at_edge(a, c);
-    look_at_edge(b, a);
+    look_at_edge(cx, cy, bx, by);
+    look_at_edge(ax, ay, cx, cy);
+    look_at_edge(bx, by, ax, ay);
     if (some_positive & some_negative) return std::nullopt;
 
-    const double u = difference_of_products(c.x(), b.y(), c.y(), b.x());
-    const double v = difference_of_products(a.x(), c.y(), a.y(), c.x());
-    const double w = difference_of_products(b.x(), a.y(), b.y(), a.x());
+    const double u = difference_of_products(cx, by, cy, bx);
+    const double v = difference_of_products(ax, cy, ay, cx);
+    const double w = difference_of_products(bx, ay, by, ax);
     const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     const double determinant = u + v + w;
     if (!inside || determinant == 0) return std::nullopt;
 
     // The weights have one sign, so this is a mean of the vertices' distances, not a cancellation.
-    const double t = (u * a.z() + v * b.z() + w * c.z()) / determinant;
+    const double t = (u * ray.z(a) + v * ray.z(b) + w * ray.z(c)) / determinant;
     if (!(t_min <= t && t <= t_max)) return std::nullopt;
     return TriangleHit{t, v / determinant, w / determinant};
 }

@@ -48,29 +48,20 @@ constexpr std::array<std::array<int, 4>, 16> kFrontCorners = {{{},
                                                                {0, 1, 2, 3},
                                                                {}}};
 
-struct Sample {
-    double gyroid = 0;
-    double squared_radius = 0;
-
-    bool is_inside() const {
-        return std::abs(gyroid) < kThickness && squared_radius < kRadius * kRadius;
-    }
-};
-
-/// How far along the edge the surface is, both functions taken as linear on the edge.
-double crossing(const Sample& inside, const Sample& outside) {
-    double t = 1;
-    if (std::abs(outside.gyroid) >= kThickness) {
-        const double wall = std::copysign(kThickness, outside.gyroid);
-        t = std::min(t, (wall - inside.gyroid) / (outside.gyroid - inside.gyroid));
-    }
-    if (outside.squared_radius >= kRadius * kRadius) {
-        t = std::min(t, (kRadius * kRadius - inside.squared_radius) /
-                            (outside.squared_radius - inside.squared_radius));
-    }
-    // Off the corners, where the vertices of several edges would be the same point.
-    return std::clamp(t, 0.001, 0.999);
+/// About how far a point is outside the solid, from what its gyroid function and its distance from
+/// the centre are. The edge between wall and ball is rounded off: no grid could follow a sharp one.
+double distance_outside(double gyroid, double radius) {
+    constexpr double kSteepness = 9;  // of the gyroid's function, about
+    constexpr double kRounding = 0.03;
+    const double from_wall = (std::abs(gyroid) - kThickness) / kSteepness;
+    const double from_ball = radius - kRadius;
+    const double apart = from_wall - from_ball;
+    return 0.5 * (from_wall + from_ball + std::sqrt(apart * apart + kRounding * kRounding));
 }
+
+/// How far along an edge the surface is, the distance taken as linear on the edge; off the corners,
+/// where the vertices of several edges would be the same point.
+double crossing(double start, double end) { return std::clamp(start / (start - end), 0.001, 0.999); }
 
 class GyroidMesher {
 public:
@@ -115,18 +106,19 @@ private:
     std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * points_ + x; }
 
     void fill_samples(int z) {
-        std::vector<Sample>& samples = samples_[z & 1];
+        std::vector<double>& samples = samples_[z & 1];
         const auto square = [](double x) { return x * x; };
         for (int y = 0; y < points_; ++y) {
             for (int x = 0; x < points_; ++x) {
-                samples[at(x, y)] = {
+                samples[at(x, y)] = distance_outside(
                     sine_[x] * cosine_[y] + sine_[y] * cosine_[z] + sine_[z] * cosine_[x],
-                    square(coordinate_[x]) + square(coordinate_[y]) + square(coordinate_[z])};
+                    std::sqrt(square(coordinate_[x]) + square(coordinate_[y]) +
+                              square(coordinate_[z])));
             }
         }
     }
 
-    const Sample& sample(int x, int y, int z, int corner) const {
+    double sample(int x, int y, int z, int corner) const {
         return samples_[(z + (corner >> 2)) & 1][at(x + (corner & 1), y + (corner >> 1 & 1))];
     }
     const Cube& cube(int x, int y, int z, int corner) const {
@@ -139,7 +131,7 @@ private:
                 Cube& here = cubes_[z & 1][at(x, y)];
                 here.inside = 0;
                 for (int corner = 0; corner < 8; ++corner)
-                    here.inside |= unsigned{sample(x, y, z, corner).is_inside()} << corner;
+                    here.inside |= unsigned{sample(x, y, z, corner) < 0} << corner;
                 if (here.inside == 0 || here.inside == 255) continue;
                 for (int corner = 1; corner < 8; ++corner) {
                     if ((here.inside >> corner & 1) == (here.inside & 1)) continue;
@@ -151,9 +143,7 @@ private:
     }
 
     Vec3d vertex_on_edge(int x, int y, int z, int corner) const {
-        const Sample& start = sample(x, y, z, 0);
-        const Sample& end = sample(x, y, z, corner);
-        const double t = start.is_inside() ? crossing(start, end) : 1 - crossing(end, start);
+        const double t = crossing(sample(x, y, z, 0), sample(x, y, z, corner));
         const auto coordinate = [&](int i, bool moves) {
             return moves ? coordinate_[i] + t * (coordinate_[i + 1] - coordinate_[i])
                          : coordinate_[i];
@@ -197,7 +187,7 @@ private:
 
     int points_;
     std::vector<double> coordinate_, sine_, cosine_;  ///< by index along any axis
-    std::array<std::vector<Sample>, 2> samples_;      ///< of the layers z and z + 1
+    std::array<std::vector<double>, 2> samples_;      ///< distances, of the layers z and z + 1
     std::array<std::vector<Cube>, 2> cubes_;
     TriangleMesh mesh_;
 };
@@ -205,9 +195,9 @@ private:
 }  // namespace
 
 TriangleMesh generate_gyroid(std::size_t triangles) {
-    // Measured: a resolution of r gives about 63.6 r^2 - 150 r triangles.
+    // Measured: a resolution of r gives about 60.5 r^2 - 120 r triangles.
     const double n = static_cast<double>(triangles);
-    const double resolution = (150 + std::sqrt(150.0 * 150.0 + 4 * 63.6 * n)) / (2 * 63.6);
+    const double resolution = (120 + std::sqrt(120.0 * 120.0 + 4 * 60.5 * n)) / (2 * 60.5);
     return GyroidMesher(resolution, triangles).run();
 }
 

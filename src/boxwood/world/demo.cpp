@@ -29,7 +29,7 @@ Material matte(const Color& color) {
 World make_demo_world(std::size_t triangles) {
     World world;
     world.background = {0.62, 0.74, 0.88};
-    world.ambient = {0.16, 0.18, 0.22};
+    world.ambient = {0.26, 0.29, 0.34};
     world.camera.look_at({0.4, 1.5, 5.6}, {0, 0.62, 0});
     world.camera.field_of_view = 0.62;
     world.camera.focal_length = 5.6;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxwood/build/build.h"
+#include "boxwood/scene/scene.h"
+
+namespace boxwood {
+
+struct NamedBuild {
+    std::string name;
+    BuildOptions options;
+};
+
+/// Each builder, and the agglomerative one with each of its costs.
+inline std::vector<NamedBuild> all_builds() {
+    std::vector<NamedBuild> builds;
+    for (const auto& method : build_methods()) {
+        if (method.value != BuildMethod::agglomerative) {
+            builds.push_back({std::string(method.name), {.method = method.value}});
+            continue;
+        }
+        for (const auto& cost : merge_costs())
+            builds.push_back({std::string(method.name) + "_" + std::string(cost.name),
+                              {.method = method.value, .cost = cost.value}});
+    }
+    return builds;
+}
+
+struct NamedAccelerator {
+    std::string name;
+    SceneOptions options;
+};
+
+/// Brute force first, then a tree of each build.
+inline std::vector<NamedAccelerator> all_accelerators() {
+    std::vector<NamedAccelerator> accelerators = {{"brute", {.brute_force = true}}};
+    for (const auto& [name, options] : all_builds())
+        accelerators.push_back({name, {.build = options}});
+    return accelerators;
+}
+
+}  // namespace boxwood
