@@ -89,8 +89,9 @@ void print_text(const std::string& mesh, std::size_t triangles, const std::vecto
 
 nlohmann::ordered_json as_json(const std::string& mesh, std::size_t triangles,
                                const std::vector<RaySet>& sets, const std::vector<Row>& rows) {
-    nlohmann::ordered_json json = {
-        {"mesh", mesh}, {"triangles", triangles}, {"accelerators", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {{"mesh", mesh},
+                                   {"triangles", triangles},
+                                   {"accelerators", nlohmann::ordered_json::array()}};
     for (const Row& row : rows) {
         nlohmann::ordered_json rays;
         for (std::size_t i = 0; i < sets.size(); ++i)

@@ -58,7 +58,8 @@ std::vector<Ray> ambient_occlusion_rays(const Scene& scene, const std::vector<Ra
 std::vector<Ray> random_rays(const Vec3d& center, double radius, std::size_t count) {
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d from = center + radius * on_sphere(i, 2), to = center + radius * on_sphere(i, 4);
+        const Vec3d from = center + radius * on_sphere(i, 2),
+                    to = center + radius * on_sphere(i, 4);
         rays.push_back({.origin = from, .direction = (to - from).normalized()});
     }
     return rays;
@@ -75,8 +76,8 @@ std::vector<RaySet> make_ray_sets(const Scene& scene, std::size_t count) {
 
     std::vector<RaySet> sets;
     sets.push_back({"primary", false, primary_rays(center, radius, count)});
-    sets.push_back({"ambient occlusion", true,
-                    ambient_occlusion_rays(scene, sets[0].rays, radius, count)});
+    sets.push_back(
+        {"ambient occlusion", true, ambient_occlusion_rays(scene, sets[0].rays, radius, count)});
     sets.push_back({"random", false, random_rays(center, radius, count)});
     return sets;
 }

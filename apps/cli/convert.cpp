@@ -22,8 +22,7 @@ void add_convert(CLI::App& app) {
     command->add_option("MESH", arguments->input, mesh_argument_help())->required();
     command->add_option("OUT", arguments->output, "the file to write (.off)")->required();
     command->footer("Example:\n  boxwood convert torus_knot:100k knot.off");
-    command->callback(
-        [arguments] { write_mesh(arguments->output, load_mesh(arguments->input)); });
+    command->callback([arguments] { write_mesh(arguments->output, load_mesh(arguments->input)); });
 }
 
 }  // namespace boxwood::cli

@@ -23,7 +23,8 @@ void run(const PictureOptions& options) {
 }  // namespace
 
 void add_demo(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("demo", "Render the built-in scene, which needs no file");
+    CLI::App* command =
+        app.add_subcommand("demo", "Render the built-in scene, which needs no file");
     auto options = std::make_shared<PictureOptions>();
     options->width = 960;
     options->height = 540;

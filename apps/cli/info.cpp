@@ -97,7 +97,8 @@ void run(const InfoArguments& arguments) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("info", "Say what is in a mesh, and what trees it gives");
+    CLI::App* command =
+        app.add_subcommand("info", "Say what is in a mesh, and what trees it gives");
     auto arguments = std::make_shared<InfoArguments>();
     command->add_option("MESH", arguments->mesh, mesh_argument_help())->required();
     command->add_option("--accelerator", arguments->builders, "builders to try")

@@ -54,7 +54,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->capture_default_str();
     add_cost(command, options.accelerator.cost);
     add_threads(command, options.threads);
-    command.add_option("--samples", options.samples, "rays a pixel, for depth of field with whitted")
+    command
+        .add_option("--samples", options.samples, "rays a pixel, for depth of field with whitted")
         ->check(CLI::Range(1, 65536))
         ->capture_default_str();
     command.add_option("--seed", options.seed, "of the samples' places")->capture_default_str();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bottom-up construction: start with a leaf for each primitive and merge the pair of nodes of least
 // cost until one node is left. Trying all pairs each time would be cubic. Instead each node
-// remembers its cheapest partner among the nodes after it, so that finding the pair and replacing it
-// by its union is a scan over the nodes each. A node whose partner was merged away keeps the old
+// remembers its cheapest partner among the nodes after it, so that finding the pair and replacing
+// it by its union is a scan over the nodes each. A node whose partner was merged away keeps the old
 // cost as a lower bound, and looks for a new partner only when that bound is the least of all.
 // Sources: Walter et al., "Fast Agglomerative Clustering for Rendering", IEEE Symposium on
 // Interactive Ray Tracing, 2008; Muellner, "Modern hierarchical, agglomerative clustering

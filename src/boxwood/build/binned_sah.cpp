@@ -24,13 +24,37 @@ constexpr int kMostBins = 32;
 /// Below this depth ranges are halved, so that no input makes a deep tree.
 constexpr int kDeepestSahSplit = 40;
 
+/// A box with a fourth, idle coordinate, so that its corners fill SIMD registers.
+struct PaddedBox {
+    Eigen::Array4f lo = Eigen::Array4f::Constant(std::numeric_limits<float>::infinity());
+    Eigen::Array4f hi = Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
+
+    PaddedBox() = default;
+    explicit PaddedBox(const Box3f& box) {
+        lo << box.lo.array(), 0;
+        hi << box.hi.array(), 0;
+    }
+
+    Box3f box() const { return {lo.head<3>(), hi.head<3>()}; }
+    bool is_empty() const { return !(lo.x() <= hi.x()); }
+
+    void extend(const PaddedBox& other) {
+        lo = lo.min(other.lo);
+        hi = hi.max(other.hi);
+    }
+    void extend(const Eigen::Array4f& point) {
+        lo = lo.min(point);
+        hi = hi.max(point);
+    }
+};
+
 struct Reference {
-    Box3f box;
-    std::uint32_t primitive;
+    PaddedBox box;
+    std::uint32_t primitive = 0;
 };
 
 struct Bin {
-    Box3f box;
+    PaddedBox box;
     std::uint32_t count = 0;
 
     void add(const Bin& other) {
@@ -48,31 +72,33 @@ struct Split {
 /// Tells the bin of a primitive by its centroid, along each axis.
 class Binning {
 public:
-    Binning(const Box3f& centroid_bounds, int bins) : lo_(centroid_bounds.lo), bins_(bins) {
+    Binning(const PaddedBox& centroid_bounds, int bins) : lo_(centroid_bounds.lo), bins_(bins) {
+        const Eigen::Array4f extent = centroid_bounds.hi - centroid_bounds.lo;
         for (int k = 0; k < 3; ++k) {
-            const float extent = centroid_bounds.extent()[k];
-            scale_[k] = extent > 0 ? static_cast<float>(bins) / extent : 0;
+            const float scale = static_cast<float>(bins) / extent[k];
+            if (std::isfinite(scale)) scale_[k] = scale;
         }
     }
 
     int bins() const { return bins_; }
     /// Along a flat axis there is only one bin.
-    bool is_flat(int axis) const { return !(scale_[axis] > 0) || !std::isfinite(scale_[axis]); }
-    int bin(const Vec3f& centroid, int axis) const {
-        return std::min(static_cast<int>((centroid[axis] - lo_[axis]) * scale_[axis]), bins_ - 1);
+    bool is_flat(int axis) const { return scale_[axis] == 0; }
+    int bin(const Eigen::Array4f& centroid, int axis) const { return bins_of(centroid)[axis]; }
+    Eigen::Array4i bins_of(const Eigen::Array4f& centroid) const {
+        return ((centroid - lo_) * scale_).cast<int>().min(bins_ - 1);
     }
 
 private:
-    Vec3f lo_;
-    Vec3f scale_;
+    Eigen::Array4f lo_;
+    Eigen::Array4f scale_ = Eigen::Array4f::Zero();
     int bins_;
 };
 
 class BinnedSahBuilder {
 public:
     BinnedSahBuilder(std::span<const Box3f> boxes, const BinnedSahOptions& options)
-        : options_(options), scale_(unit_scale(boxes)), references_(boxes.size()) {
-        for (std::uint32_t i = 0; i < boxes.size(); ++i) references_[i] = {boxes[i], i};
+        : options_(options), half_scale_(0.5f * unit_scale(boxes)), references_(boxes.size()) {
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) references_[i] = {PaddedBox(boxes[i]), i};
         tree_.nodes.resize(2 * boxes.size() - 1);
         tree_.order.resize(boxes.size());
     }
@@ -86,17 +112,18 @@ public:
 private:
     void build_node(std::uint32_t index, std::uint32_t begin, std::uint32_t end, int depth) {
         Node& node = tree_.nodes[index];
-        Box3f centroid_bounds;
+        PaddedBox bounds, centroid_bounds;
         for (std::uint32_t i = begin; i < end; ++i) {
-            node.box.extend(references_[i].box);
+            bounds.extend(references_[i].box);
             centroid_bounds.extend(centroid(references_[i]));
         }
+        node.box = bounds.box();
         const std::uint32_t count = end - begin;
         if (count == 1) return make_leaf(node, begin, end);
 
         const Binning binning(centroid_bounds, std::min<int>(options_.bins, count));
         const Split split = depth < kDeepestSahSplit ? best_split(binning, begin, end) : Split{};
-        const double area = half_area(node.box);
+        const double area = half_area(bounds);
         if (count <= options_.largest_leaf &&
             options_.primitive_cost * count * area <=
                 options_.node_cost * area + options_.primitive_cost * split.cost)
@@ -104,7 +131,7 @@ private:
 
         const std::uint32_t middle = split.axis >= 0
                                          ? partition(binning, split, begin, end)
-                                         : halve(centroid_bounds.longest_axis(), begin, end);
+                                         : halve(centroid_bounds.box().longest_axis(), begin, end);
         node.first = slot_of_children(middle);
         invoke_both(
             count > kSmallestTask, [&] { build_node(node.left(), begin, middle, depth + 1); },
@@ -120,11 +147,8 @@ private:
     Split best_split(const Binning& binning, std::uint32_t begin, std::uint32_t end) const {
         std::array<std::array<Bin, kMostBins>, 3> bins;
         for (std::uint32_t i = begin; i < end; ++i) {
-            const Vec3f c = centroid(references_[i]);
-            for (int axis = 0; axis < 3; ++axis) {
-                if (!binning.is_flat(axis))
-                    bins[axis][binning.bin(c, axis)].add({references_[i].box, 1});
-            }
+            const Eigen::Array4i bin = binning.bins_of(centroid(references_[i]));
+            for (int axis = 0; axis < 3; ++axis) bins[axis][bin[axis]].add({references_[i].box, 1});
         }
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
@@ -152,10 +176,11 @@ private:
 
     std::uint32_t partition(const Binning& binning, const Split& split, std::uint32_t begin,
                             std::uint32_t end) {
-        const auto middle = std::partition(
-            references_.begin() + begin, references_.begin() + end, [&](const Reference& reference) {
-                return binning.bin(centroid(reference), split.axis) < split.bin;
-            });
+        const auto middle =
+            std::partition(references_.begin() + begin, references_.begin() + end,
+                           [&](const Reference& reference) {
+                               return binning.bin(centroid(reference), split.axis) < split.bin;
+                           });
         return static_cast<std::uint32_t>(middle - references_.begin());
     }
 
@@ -171,18 +196,19 @@ private:
     }
 
     /// In units in which areas don't overflow. Boxes that nothing hits go to the origin.
-    Vec3f centroid(const Reference& reference) const {
-        if (!(reference.box.lo.x() <= reference.box.hi.x())) return Vec3f::Zero();
-        return scale_ * reference.box.centroid();
+    Eigen::Array4f centroid(const Reference& reference) const {
+        const PaddedBox& box = reference.box;
+        if (box.is_empty()) return Eigen::Array4f::Zero();
+        return half_scale_ * box.lo + half_scale_ * box.hi;
     }
-    double half_area(const Box3f& box) const {
-        if (box.lo.x() > box.hi.x()) return 0;
-        const Vec3f e = scale_ * box.hi - scale_ * box.lo;
+    double half_area(const PaddedBox& box) const {
+        if (box.is_empty()) return 0;
+        const Eigen::Array4f e = 2 * half_scale_ * box.hi - 2 * half_scale_ * box.lo;
         return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();
     }
 
     BinnedSahOptions options_;
-    float scale_;
+    float half_scale_;
     std::vector<Reference> references_;
     Tree tree_;
 };

@@ -8,10 +8,10 @@
 namespace boxwood {
 
 struct BinnedSahOptions {
-    int bins = 16;                    ///< along each axis, 2 to 32
-    std::uint32_t largest_leaf = 4;   ///< primitives, at least 1
-    double node_cost = 1;             ///< of a step through an inner node ...
-    double primitive_cost = 1;        ///< ... against the test of a primitive
+    int bins = 16;                   ///< along each axis, 2 to 32
+    std::uint32_t largest_leaf = 4;  ///< primitives, at least 1
+    double node_cost = 1;            ///< of a step through an inner node ...
+    double primitive_cost = 1;       ///< ... against the test of a primitive
 };
 
 /// The default builder: top-down, each split the cheapest by the surface area heuristic among the

@@ -17,9 +17,12 @@ Tree build_tree(MeshView mesh, const BuildOptions& options) {
 
 Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
     switch (options.method) {
-        case BuildMethod::median: return build_median(boxes);
-        case BuildMethod::agglomerative: return build_agglomerative(boxes, {options.cost});
-        case BuildMethod::binned_sah: return build_binned_sah(boxes);
+        case BuildMethod::median:
+            return build_median(boxes);
+        case BuildMethod::agglomerative:
+            return build_agglomerative(boxes, {options.cost});
+        case BuildMethod::binned_sah:
+            return build_binned_sah(boxes);
     }
     return {};
 }
@@ -28,7 +31,8 @@ std::optional<std::string> warning_before_build(std::size_t primitives,
                                                 const BuildOptions& options) {
     if (options.method != BuildMethod::agglomerative || primitives <= kManyToAgglomerate)
         return std::nullopt;
-    const double minutes = 1e-10 * static_cast<double>(primitives) * static_cast<double>(primitives);
+    const double minutes =
+        1e-10 * static_cast<double>(primitives) * static_cast<double>(primitives);
     return fmt::format(
         "the agglomerative builder takes quadratic time: for {} triangles about {:.0f} minutes",
         primitives, minutes);

@@ -25,7 +25,8 @@ public:
     /// The lowest of the cheapest nodes in [begin, end), and its cost; infinite when there is none.
     std::pair<std::uint32_t, float> cheapest(std::uint32_t begin, std::uint32_t end) const;
 
-    /// Node i becomes the union of both; node j becomes a box so far away that it is never cheapest.
+    /// Node i becomes the union of both; node j becomes a box so far away that it is never
+    /// cheapest.
     void merge(std::uint32_t i, std::uint32_t j);
     /// Node to becomes what node from was.
     void move(std::uint32_t from, std::uint32_t to);

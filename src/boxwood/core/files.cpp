@@ -77,7 +77,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) throw system_error(path_);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+        throw system_error(path_);
 }
 
 void OutputFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }

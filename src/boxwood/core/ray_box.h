@@ -25,13 +25,12 @@ public:
     /// The bounds contain every box that will be asked for. Precondition: is_traceable(ray).
     SlabRay(const Ray& ray, const Box3f& bounds) {
         // Both tests round coordinates relative to the origin, at most reach in size, about fifteen
-        // times in all, each time by at most half of 2^-52; docs/algorithms/ray_box.md adds them up.
-        // The origin's own size keeps the small number from vanishing in the sum below.
+        // times in all, each time by at most half of 2^-52; docs/algorithms/ray_box.md adds them
+        // up. The origin's own size keeps the small number from vanishing in the sum below.
         const Vec3d lo = bounds.lo.cast<double>() - ray.origin;
         const Vec3d hi = bounds.hi.cast<double>() - ray.origin;
         const double reach = lo.cwiseAbs().cwiseMax(hi.cwiseAbs()).maxCoeff();
-        const double rounding =
-            16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>());
+        const double rounding = 16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>());
 
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
         // the ray by less than the rounding does not.

@@ -57,7 +57,8 @@ struct TriangleHit {
 /// plane of, and where a coordinate is NaN.
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
                                             const Vec3d& c, double t_min, double t_max) {
-    // Most triangles lie to one side of the axis, where x and y are 0; which side nobody can predict.
+    // Most triangles lie to one side of the axis, where x and y are 0; which side nobody can
+    // predict.
     const auto same_sign = [](double p, double q, double r) {
         return ((p > 0) & (q > 0) & (r > 0)) | ((p < 0) & (q < 0) & (r < 0));
     };

@@ -16,9 +16,8 @@ constexpr int kAdvance = (kDigitWidth + 1) * kDot;
 
 /// Rows of three dots from the top.
 constexpr std::array<std::string_view, 10> kDigits = {
-    "####.##.##.####", ".#.##..#..#.###", "###..#####..###", "###..####..####",
-    "#.##.####..#..#", "####..###..####", "####..####.####", "###..#..#..#..#",
-    "####.#####.####", "####.####..####"};
+    "####.##.##.####", ".#.##..#..#.###", "###..#####..###", "###..####..####", "#.##.####..#..#",
+    "####..###..####", "####..####.####", "###..#..#..#..#", "####.#####.####", "####.####..####"};
 
 void fill(ColorImage& image, int left, int top, int width, int height, const Vec3d& color) {
     for (int y = top; y < top + height; ++y) {

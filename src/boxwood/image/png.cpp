@@ -22,7 +22,8 @@ void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
 
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
     std::vector<std::byte> bytes(size);
-    if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
+    if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0,
+                                   nullptr))
         throw IoError(path.string(), std::string("can't be written as PNG: ") + header.message);
 
     OutputFile file(path);

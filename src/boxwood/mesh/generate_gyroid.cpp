@@ -61,7 +61,9 @@ double distance_outside(double gyroid, double radius) {
 
 /// How far along an edge the surface is, the distance taken as linear on the edge; off the corners,
 /// where the vertices of several edges would be the same point.
-double crossing(double start, double end) { return std::clamp(start / (start - end), 0.001, 0.999); }
+double crossing(double start, double end) {
+    return std::clamp(start / (start - end), 0.001, 0.999);
+}
 
 class GyroidMesher {
 public:

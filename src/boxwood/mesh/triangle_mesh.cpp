@@ -19,8 +19,8 @@ void check_indices(MeshView mesh) {
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         for (const int index : mesh.faces[i]) {
             if (index < 0 || index >= count)
-                throw InvalidInput(fmt::format(
-                    "face {} has vertex index {}, expected 0 to {}", i, index, count - 1));
+                throw InvalidInput(fmt::format("face {} has vertex index {}, expected 0 to {}", i,
+                                               index, count - 1));
         }
     }
 }

@@ -20,9 +20,9 @@ public:
 
     std::optional<Hit> intersect(std::uint32_t triangle, double t_max) const {
         if (triangle == ray_.skip.triangle) return std::nullopt;
-        const auto hit = boxwood::intersect(sheared_, mesh_.corner(triangle, 0),
-                                            mesh_.corner(triangle, 1), mesh_.corner(triangle, 2),
-                                            ray_.t_min, t_max);
+        const auto hit =
+            boxwood::intersect(sheared_, mesh_.corner(triangle, 0), mesh_.corner(triangle, 1),
+                               mesh_.corner(triangle, 2), ray_.t_min, t_max);
         if (!hit || !is_in_float_range(triangle)) return std::nullopt;
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// heat: what a picture costs. Each pixel shows the steps that its camera ray takes through the tree,
-// boxes visited plus primitives tested, from black for none to pale yellow for the most.
+// heat: what a picture costs. Each pixel shows the steps that its camera ray takes through the
+// tree, boxes visited plus primitives tested, from black for none to pale yellow for the most.
 #include "boxwood/render/heat.h"
 
 #include <algorithm>

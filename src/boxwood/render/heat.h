@@ -11,6 +11,7 @@ public:
 
     Color radiance(const Ray& ray) const override;
     void develop(ColorImage& image) const override;
+
 private:
     const Surfaces& surfaces_;
 };

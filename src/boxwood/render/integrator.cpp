@@ -12,12 +12,16 @@ namespace boxwood {
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const World& world,
                                             const Surfaces& surfaces, int bounces) {
     switch (kind) {
-        case IntegratorKind::phong: return std::make_unique<PhongIntegrator>(world, surfaces);
+        case IntegratorKind::phong:
+            return std::make_unique<PhongIntegrator>(world, surfaces);
         case IntegratorKind::whitted:
             return std::make_unique<WhittedIntegrator>(world, surfaces, bounces);
-        case IntegratorKind::normal: return std::make_unique<NormalIntegrator>(surfaces);
-        case IntegratorKind::depth: return std::make_unique<DepthIntegrator>(surfaces);
-        case IntegratorKind::heat: return std::make_unique<HeatIntegrator>(surfaces);
+        case IntegratorKind::normal:
+            return std::make_unique<NormalIntegrator>(surfaces);
+        case IntegratorKind::depth:
+            return std::make_unique<DepthIntegrator>(surfaces);
+        case IntegratorKind::heat:
+            return std::make_unique<HeatIntegrator>(surfaces);
     }
     return nullptr;
 }

@@ -22,9 +22,9 @@ Color phong_shading(const World& world, const SurfaceHit& hit, const Vec3d& to_v
         const Vec3d half = (to_light + to_viewer).normalized();
         const double diffuse = std::max(to_light.dot(hit.normal), 0.0);
         const double specular = std::pow(std::max(hit.normal.dot(half), 0.0), material.shininess);
-        color += (material.diffuse * diffuse + material.specular * specular)
-                     .cwiseProduct(light.color) /
-                 towards.squaredNorm();
+        color +=
+            (material.diffuse * diffuse + material.specular * specular).cwiseProduct(light.color) /
+            towards.squaredNorm();
     }
     return color;
 }

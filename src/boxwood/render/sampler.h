@@ -13,8 +13,8 @@ namespace boxwood {
 /// square of the pixel and that of the lens evenly however many samples there are, shifted by a
 /// random vector for each pixel. Any sample is known from its number, so work can be split anyhow.
 /// Source: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
-inline CameraSample camera_sample(std::uint64_t seed, std::uint64_t pixel, int sample, double spread,
-                                  int x, int y) {
+inline CameraSample camera_sample(std::uint64_t seed, std::uint64_t pixel, int sample,
+                                  double spread, int x, int y) {
     constexpr double kRoot = 1.1673039782614187;  // of g^5 = g + 1
     const auto place = [&](std::uint32_t dimension) {
         const double step = std::pow(kRoot, -static_cast<double>(dimension + 1));

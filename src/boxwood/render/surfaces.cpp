@@ -55,7 +55,9 @@ std::optional<SurfaceHit> Surfaces::closest_hit(const Ray& ray, TraversalCounts*
         const auto visit = [&](std::uint32_t sphere, double t_max) {
             const auto found = intersect(ray, sphere, t_max);
             // Equal distances go to meshes, then to the first sphere.
-            const bool wins = found && (*found < t || (closest_sphere ? *found == t && sphere < *closest_sphere : !on_mesh));
+            const bool wins =
+                found && (*found < t ||
+                          (closest_sphere ? *found == t && sphere < *closest_sphere : !on_mesh));
             if (!wins) return t_max;
             closest_sphere = sphere;
             return t = *found;

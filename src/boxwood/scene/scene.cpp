@@ -70,7 +70,8 @@ bool Scene::any_hit(const Ray& ray) const noexcept {
     if (!top_.is_empty()) {
         traverse(top_, ray, visit);
     } else {
-        for (std::uint32_t mesh = 0; mesh < meshes_.size() && !found; ++mesh) visit(mesh, ray.t_max);
+        for (std::uint32_t mesh = 0; mesh < meshes_.size() && !found; ++mesh)
+            visit(mesh, ray.t_max);
     }
     return found;
 }

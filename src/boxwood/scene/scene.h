@@ -28,7 +28,8 @@ public:
 
     /// The hit with the least t in [ray.t_min, ray.t_max], or nothing. Equal distances go to the
     /// lower (mesh, triangle), so the answer doesn't depend on the options. See closest_hit.h.
-    std::optional<Hit> closest_hit(const Ray& ray, TraversalCounts* counts = nullptr) const noexcept;
+    std::optional<Hit> closest_hit(const Ray& ray,
+                                   TraversalCounts* counts = nullptr) const noexcept;
 
     /// Whether anything is hit in [ray.t_min, ray.t_max].
     bool any_hit(const Ray& ray) const noexcept;

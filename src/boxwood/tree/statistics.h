@@ -13,8 +13,8 @@ struct TreeStatistics {
     std::size_t depth = 0;         ///< inner nodes above the deepest leaf
     std::size_t largest_leaf = 0;  ///< primitives
     std::size_t bytes = 0;
-    /// The surface area heuristic: boxes plus triangles that a random line through the root's box is
-    /// expected to test, a node's step and a triangle's test costing 1 each.
+    /// The surface area heuristic: boxes plus triangles that a random line through the root's box
+    /// is expected to test, a node's step and a triangle's test costing 1 each.
     double sah_cost = 0;
 };
 

@@ -13,8 +13,8 @@ namespace boxwood {
 
 /// Where on the film and on the lens a ray goes through.
 struct CameraSample {
-    Vec2d film;                      ///< in pixels from the upper left corner
-    Vec2d lens = Vec2d::Zero();      ///< in the unit square; (0, 0) is the pinhole
+    Vec2d film;                  ///< in pixels from the upper left corner
+    Vec2d lens = Vec2d::Zero();  ///< in the unit square; (0, 0) is the pinhole
 };
 
 struct Camera {
@@ -22,7 +22,7 @@ struct Camera {
     Vec3d position = Vec3d::Zero();
     Vec3d right = Vec3d::UnitX();
     Vec3d up = Vec3d::UnitY();
-    Vec3d back = Vec3d::UnitZ();   ///< away from what it looks at
+    Vec3d back = Vec3d::UnitZ();    ///< away from what it looks at
     double field_of_view = 0.7854;  ///< the full vertical angle, in radians
     double focal_length = 1;
     double lens_radius = 0;

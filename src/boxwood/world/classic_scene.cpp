@@ -33,8 +33,8 @@ Camera read_camera(const JsonReader& json) {
 }
 
 Material read_material(const JsonReader& json) {
-    json.expect_keys({"Ambient", "Diffuse", "Specular", "Mirror", "Refraction", "RefractionIndex",
-                      "Shininess"});
+    json.expect_keys(
+        {"Ambient", "Diffuse", "Specular", "Mirror", "Refraction", "RefractionIndex", "Shininess"});
     return {.ambient = json["Ambient"].vec3(),
             .diffuse = json["Diffuse"].vec3(),
             .specular = json["Specular"].vec3(),

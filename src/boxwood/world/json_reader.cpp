@@ -64,8 +64,8 @@ JsonReader JsonReader::read_file(const std::filesystem::path& path) {
     const std::string_view text = file.text();
     KeysOnce keys;
     try {
-        auto document = std::make_shared<const json>(
-            json::parse(text.begin(), text.end(), std::ref(keys)));
+        auto document =
+            std::make_shared<const json>(json::parse(text.begin(), text.end(), std::ref(keys)));
         if (!keys.repeated().empty())
             throw ParseError(path.string(), "",
                              fmt::format("found key '{}' twice in one object", keys.repeated()));
@@ -91,9 +91,9 @@ void JsonReader::expect_keys(std::initializer_list<std::string_view> keys) const
     if (!value_->is_object()) fail("an object");
     for (const auto& [key, value] : value_->items()) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            throw ParseError(file_, path_,
-                             fmt::format("found unknown key '{}', expected {}", key,
-                                         fmt::join(keys, ", ")));
+            throw ParseError(
+                file_, path_,
+                fmt::format("found unknown key '{}', expected {}", key, fmt::join(keys, ", ")));
     }
     for (const std::string_view key : keys) {
         if (!value_->contains(key))
