@@ -23,7 +23,7 @@ struct AgglomerativeOptions {
 /// primitive a leaf. Costs are computed in float. Among equally cheap pairs the one with the lowest
 /// primitives is merged first: a node stands for the lowest primitive below it, and pairs are
 /// compared by their lower node, then by their higher one. The tree may be as deep as it has
-/// primitives. O(n^2) time, O(n) memory, one core.
+/// primitives. O(n^2) time on real meshes, O(n^3) on contrived ones; O(n) memory, one core.
 Tree build_agglomerative(std::span<const Box3f> boxes, const AgglomerativeOptions& options = {});
 
 /// Above this many primitives the quadratic time is long enough to warn of.

@@ -39,8 +39,8 @@ void MergeScan::compute_costs(std::uint32_t i, std::uint32_t begin, std::uint32_
                     between_centres(2).square();
             break;
         case MergeCost::volume_increase:
-            costs = extent(0) * extent(1) * extent(2) - volume_.segment(begin, end - begin) -
-                    volume_[i];
+            costs = extent(0) * extent(1) * extent(2) -
+                    (volume_.segment(begin, end - begin) + volume_[i]);
             break;
         case MergeCost::surface_area:  // halved
             costs = extent(0) * extent(1) + extent(1) * extent(2) + extent(2) * extent(0);

@@ -24,9 +24,9 @@ public:
 
     /// The bounds contain every box that will be asked for. Precondition: is_traceable(ray).
     SlabRay(const Ray& ray, const Box3f& bounds) {
-        // Both tests round coordinates relative to the origin, at most reach in size, about fifteen
-        // times in all, each time by at most half of 2^-52; docs/algorithms/ray_box.md adds them
-        // up. The origin's own size keeps the small number from vanishing in the sum below.
+        // Both tests round coordinates relative to the origin, at most reach in size, and together
+        // move what they see by up to 22 times half of 2^-52; docs/algorithms/ray_box.md adds that
+        // up. The origin's own size keeps the small number from vanishing in the sums below.
         const Vec3d lo = bounds.lo.cast<double>() - ray.origin;
         const Vec3d hi = bounds.hi.cast<double>() - ray.origin;
         const double reach = lo.cwiseAbs().cwiseMax(hi.cwiseAbs()).maxCoeff();

@@ -53,8 +53,9 @@ struct TriangleHit {
 };
 
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
-/// t_min <= t <= t_max. No hit on triangles of zero area, on those that the ray's line lies in the
-/// plane of, and where a coordinate is NaN.
+/// t_min <= t <= t_max. No hit where a coordinate is NaN, nor on triangles that float boxes couldn't
+/// tell from a point. A ray that runs in the plane of a triangle, or aims at one of zero area, may
+/// hit it or not, by the rounding of the shear; it does the same every time.
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
                                             const Vec3d& c, double t_min, double t_max) {
     // Most triangles lie to one side of the axis, where x and y are 0; which side nobody can
@@ -86,7 +87,9 @@ inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& 
     const double w = difference_of_products(bx, ay, by, ax);
     const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     const double determinant = u + v + w;
-    if (!inside || determinant == 0) return std::nullopt;
+    // Products of coordinates that small lose their digits to underflow.
+    constexpr double kLeastDeterminant = 1e-100;
+    if (!inside || std::abs(determinant) < kLeastDeterminant) return std::nullopt;
 
     // The weights have one sign, so this is a mean of the vertices' distances, not a cancellation.
     const double t = (u * ray.z(a) + v * ray.z(b) + w * ray.z(c)) / determinant;

@@ -12,8 +12,8 @@ namespace boxwood {
 
 /// The hit with the least t in [ray.t_min, ray.t_max], from either side, edges and vertices
 /// included; equal distances go to the lower triangle. Exactly the answer of brute force, whatever
-/// the tree. Triangles of zero area, edge-on triangles and those with a corner that isn't finite
-/// are never hit, and neither is ray.skip.triangle. About O(log n).
+/// the tree. Triangles with a corner that isn't finite are never hit, and neither is
+/// ray.skip.triangle. About O(log n).
 /// Precondition: a valid tree over the mesh's triangles.
 std::optional<Hit> closest_hit(MeshView mesh, const Tree& tree, const Ray& ray,
                                TraversalCounts* counts = nullptr) noexcept;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <vector>
 
 #include "boxwood/mesh/mesh_file.h"
 #include "boxwood/world/json_reader.h"
@@ -51,10 +52,11 @@ PointLight read_light(const JsonReader& json) {
 
 TriangleMesh read_mesh_of(const JsonReader& json, const Folders& folders) {
     const std::string name = json["Path"].string();
-    for (const fs::path& folder : {folders.scene, folders.data}) {
+    std::vector<fs::path> places = {folders.scene / name};
+    if (!folders.data.empty()) places.push_back(folders.data / name);
+    for (const fs::path& place : places) {
         std::error_code ignored;
-        if ((folder != folders.data || !folder.empty()) && fs::exists(folder / name, ignored))
-            return read_mesh(folder / name);
+        if (fs::exists(place, ignored)) return read_mesh(place);
     }
     json["Path"].fail("a mesh file beside the scene or in the data folder");
 }

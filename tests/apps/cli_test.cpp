@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "boxwood/image/png.h"
+#include "temp_dir.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int exit_code;
+    std::string out, err;
+};
+
+std::string contents(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+using boxwood::TempDir;
+
+class Cli : public testing::Test {
+protected:
+    Outcome run(const std::string& arguments) {
+        const fs::path out = folder_.path() / "stdout", err = folder_.path() / "stderr";
+        const std::string command = "cd '" + folder_.path().string() + "' && '" BOXWOOD_PROGRAM
+                                    "' " + arguments + " >stdout 2>stderr";
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << command;
+        return {WEXITSTATUS(status), contents(out), contents(err)};
+    }
+
+    fs::path write(const std::string& name, const std::string& text) {
+        const fs::path path = folder_.path() / name;
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+
+    void write_scene(const std::string& mesh = "cube.off") {
+        run("convert icosphere:80 cube.off");
+        write("scene.json", R"({
+            "Scene": {"Background": [0, 0, 1], "Ambient": [0.2, 0.2, 0.2]},
+            "Camera": {"IsPerspective": true, "Position": [0, 0, 4], "FieldOfView": 0.7,
+                       "FocalLength": 2, "LensRadius": 0},
+            "Materials": [{"Ambient": [1, 0, 0], "Diffuse": [1, 0, 0], "Specular": [0, 0, 0],
+                           "Mirror": [0, 0, 0], "Refraction": [0, 0, 0], "RefractionIndex": 1,
+                           "Shininess": 1}],
+            "Lights": [{"Position": [5, 5, 5], "Color": [20, 20, 20]}],
+            "Objects": [{"Type": "Mesh", "Material": 0, "Path": ")" +
+                                mesh + R"("}]})");
+    }
+
+    /// One line on stderr with this text, exit code 1, and no picture, whole or partial.
+    void expect_failure(const std::string& arguments, const std::string& message) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 1) << arguments;
+        EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        for (const auto& entry : fs::directory_iterator(folder_.path())) {
+            const std::string extension = entry.path().extension().string();
+            EXPECT_TRUE(extension != ".png" && extension != ".partial") << entry.path();
+        }
+    }
+
+    TempDir folder_;
+};
+
+TEST_F(Cli, render_makes_a_picture_of_the_size_asked_for_and_says_where) {
+    write_scene();
+    const Outcome outcome = run("render scene.json --size 64x48 -o picture.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("picture.png: 64x48 phong"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+    const auto picture = boxwood::read_png(folder_.path() / "picture.png");
+    EXPECT_EQ(picture.width, 64);
+    EXPECT_EQ(picture.height, 48);
+    EXPECT_EQ(picture.at(0, 0), (boxwood::Rgba8{0, 0, 255, 255}));
+}
+
+TEST_F(Cli, render_writes_raytrace_png_when_not_told_otherwise_and_is_quiet_on_demand) {
+    write_scene();
+    const Outcome outcome = run("render scene.json --size 8x8 --quiet");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_TRUE(fs::exists(folder_.path() / "raytrace.png"));
+}
+
+TEST_F(Cli, every_integrator_accelerator_and_cost_renders) {
+    write_scene();
+    for (const char* options :
+         {"--integrator phong", "--integrator whitted --samples 4 --seed 7", "--integrator normal",
+          "--integrator depth", "--integrator heat", "--accelerator brute", "--accelerator median",
+          "--accelerator agglomerative --cost centroid_distance",
+          "--accelerator agglomerative --cost volume_increase",
+          "--accelerator agglomerative --cost surface_area", "--accelerator binned_sah",
+          "--threads 3"})
+        EXPECT_EQ(run("render scene.json --size 16x12 " + std::string(options)).exit_code, 0)
+            << options;
+}
+
+TEST_F(Cli, the_data_folder_is_searched_after_the_folder_of_the_scene) {
+    write_scene("elsewhere.off");
+    fs::create_directory(folder_.path() / "data");
+    fs::rename(folder_.path() / "cube.off", folder_.path() / "data" / "elsewhere.off");
+    expect_failure("render scene.json", "scene.json:$.Objects[0].Path: found \"elsewhere.off\"");
+    EXPECT_EQ(run("render scene.json --size 8x8 --data data").exit_code, 0);
+}
+
+TEST_F(Cli, demo_needs_no_file) {
+    const Outcome outcome = run("demo --size 32x18 --samples 1");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(folder_.path() / "raytrace.png"));
+}
+
+TEST_F(Cli, info_tells_counts_bounds_closedness_and_trees) {
+    run("convert icosphere:320 ball.off");
+    const Outcome outcome = run("info ball.off --json --accelerator median,agglomerative");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["vertices"], 162);
+    EXPECT_EQ(json["faces"], 320);
+    EXPECT_EQ(json["closed"], true);
+    EXPECT_EQ(json["degenerate_faces"], 0);
+    ASSERT_EQ(json["trees"].size(), 2);
+    EXPECT_EQ(json["trees"][0]["builder"], "median");
+    EXPECT_EQ(json["trees"][0]["nodes"], 639);
+    EXPECT_EQ(json["trees"][0]["depth"], 9);
+    EXPECT_GT(json["trees"][1]["sah_cost"], 1);
+    EXPECT_NE(run("info ball.off").out.find("closed            yes"), std::string::npos);
+}
+
+TEST_F(Cli, bench_compares_builders_with_brute_force) {
+    const Outcome outcome = run("bench icosphere:500 --rays 200 --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(json.size(), 1);
+    EXPECT_EQ(json[0]["accelerators"][0]["name"], "brute");
+    for (const auto& accelerator : json[0]["accelerators"]) {
+        for (const char* kind : {"primary", "ambient occlusion", "random"})
+            EXPECT_GT(accelerator["rays"][kind]["seconds_per_ray"], 0) << accelerator;
+    }
+}
+
+TEST_F(Cli, bad_files_end_with_one_line_and_no_picture) {
+    write_scene();
+    expect_failure("render missing.json", "missing.json: No such file or directory");
+    expect_failure("render .", ".: found a directory, expected a file");
+    write("empty.json", "");
+    expect_failure("render empty.json", "empty.json:1: syntax error");
+    write("broken.json", "{\n\"Scene\":\n]}");
+    expect_failure("render broken.json", "broken.json:3: syntax error");
+    write("cube.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    expect_failure("render scene.json", "cube.off:6: ");
+    write("cube.off", "OFF\n3000000000000000000 1 0\n");
+    expect_failure("render scene.json", "cube.off:2: ");
+    expect_failure("info nothing.off", "nothing.off: No such file or directory");
+    expect_failure("info nothing.xyz", "nothing.xyz");
+    expect_failure("convert icosphere:20 missing/out.off", "missing/out.off");
+}
+
+TEST_F(Cli, an_output_that_cannot_be_written_is_found_out_before_the_work) {
+    write_scene();
+    fs::create_directory(folder_.path() / "folder");
+    expect_failure("render scene.json -o missing/picture.png", "missing/picture.png: No such file");
+    expect_failure("render scene.json -o folder", "folder: found a directory");
+    expect_failure("demo -o missing/picture.png", "missing/picture.png: No such file");
+}
+
+TEST_F(Cli, wrong_usage_exits_with_2) {
+    write_scene();
+    for (const char* arguments :
+         {"", "fly", "render", "render scene.json --size 640", "render scene.json --size 0x5",
+          "render scene.json --integrator magic", "render scene.json --accelerator octree",
+          "render scene.json --cost none", "render scene.json --samples 0",
+          "render scene.json --threads -1", "render scene.json --unknown", "info", "bench",
+          "info icosphere:20 --accelerator brute", "convert icosphere:20"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << arguments;
+        EXPECT_NE(outcome.err, "") << arguments;
+    }
+}
+
+TEST_F(Cli, each_subcommand_has_help_with_an_example) {
+    for (const char* command : {"render", "demo", "info", "bench", "convert"}) {
+        const Outcome outcome = run(std::string(command) + " --help");
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_NE(outcome.out.find(std::string("Example:\n  boxwood ") + command),
+                  std::string::npos)
+            << outcome.out;
+    }
+}
+
+}  // namespace
