@@ -21,7 +21,9 @@ MergeScan::MergeScan(std::span<const Box3f> boxes, MergeCost cost)
         lo_.row(i) = scale * box.lo;
         hi_.row(i) = scale * box.hi;
     }
-    volume_ = (hi_ - lo_).rowwise().prod();
+    // Multiplied in the order of the union's volume below, so that a box adds nothing to itself.
+    const Eigen::ArrayX3f extent = hi_ - lo_;
+    volume_ = extent.col(0) * extent.col(1) * extent.col(2);
 }
 
 void MergeScan::compute_costs(std::uint32_t i, std::uint32_t begin, std::uint32_t end) {
@@ -59,7 +61,8 @@ void MergeScan::merge(std::uint32_t i, std::uint32_t j) {
     constexpr float kFarAway = 1e9f;
     lo_.row(i) = lo_.row(i).min(lo_.row(j));
     hi_.row(i) = hi_.row(i).max(hi_.row(j));
-    volume_[i] = (hi_.row(i) - lo_.row(i)).prod();
+    const Eigen::Array<float, 1, 3> extent = hi_.row(i) - lo_.row(i);
+    volume_[i] = extent[0] * extent[1] * extent[2];
     lo_.row(j) = kFarAway;
     hi_.row(j) = kFarAway;
     volume_[j] = 0;
