@@ -7,6 +7,7 @@
 // Explained in docs/algorithms/ray_triangle.md.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -48,25 +49,26 @@ inline double difference_of_products(double a, double b, double c, double d) {
     return std::fma(a, b, -cd) + rounding_of_cd;
 }
 
+/// Whether a triangle lies to one side of the ray, which is 0 in x and in y, as most do. Which side
+/// nobody can predict, so there is one branch on both.
+inline bool on_one_side(double a, double b, double c) {
+    return (std::min(std::min(a, b), c) > 0) | (std::max(std::max(a, b), c) < 0);
+}
+
 struct TriangleHit {
     double t, u, v;  ///< as in Hit
 };
 
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
-/// t_min <= t <= t_max. No hit where a coordinate is NaN, nor on triangles that float boxes couldn't
-/// tell from a point. A ray that runs in the plane of a triangle, or aims at one of zero area, may
-/// hit it or not, by the rounding of the shear; it does the same every time.
+/// t_min <= t <= t_max. No hit where a coordinate is NaN, nor on triangles that float boxes
+/// couldn't tell from a point. A ray that runs in the plane of a triangle, or aims at one of zero
+/// area, may hit it or not, by the rounding of the shear; it does the same every time.
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
                                             const Vec3d& c, double t_min, double t_max) {
-    // Most triangles lie to one side of the axis, where x and y are 0; which side nobody can
-    // predict.
-    const auto same_sign = [](double p, double q, double r) {
-        return ((p > 0) & (q > 0) & (r > 0)) | ((p < 0) & (q < 0) & (r < 0));
-    };
     const double ax = ray.x(a), bx = ray.x(b), cx = ray.x(c);
-    if (same_sign(ax, bx, cx)) return std::nullopt;
+    if (on_one_side(ax, bx, cx)) return std::nullopt;
     const double ay = ray.y(a), by = ray.y(b), cy = ray.y(c);
-    if (same_sign(ay, by, cy)) return std::nullopt;
+    if (on_one_side(ay, by, cy)) return std::nullopt;
 
     // Edge functions in plain arithmetic settle nearly all other misses: two surely differ in sign.
     constexpr double kRounding = 0x1p-51;

@@ -27,6 +27,8 @@ public:
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
     }
 
+    const ShearedRay& sheared() const { return sheared_; }
+
 private:
     /// Trees have no box for what lies beyond it: see triangle_boxes().
     bool is_in_float_range(std::uint32_t triangle) const {
