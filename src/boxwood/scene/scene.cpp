@@ -30,7 +30,8 @@ Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
         trees_.push_back(build_tree(mesh, options.build));
         boxes.push_back(trees_.back().is_empty() ? Box3f{} : trees_.back().root().box);
     }
-    top_ = build_tree(boxes);
+    // A single mesh needs no second tree to be found by.
+    if (meshes_.size() > 1) top_ = build_tree(boxes);
 }
 
 std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts* counts) const noexcept {
