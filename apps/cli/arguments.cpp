@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
+#include "boxwood/core/error.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/mesh_file.h"
 
@@ -57,14 +57,12 @@ std::vector<std::string> accelerator_names() {
 
 TriangleMesh load_mesh(const std::string& argument) {
     const std::size_t colon = argument.rfind(':');
-    if (colon != std::string::npos && !std::filesystem::exists(argument)) {
-        const std::string shape = argument.substr(0, colon);
-        const auto& shapes = generated_shapes();
-        const auto count = parse_count(std::string_view(argument).substr(colon + 1));
-        if (count && std::find(shapes.begin(), shapes.end(), shape) != shapes.end())
-            return generate(shape, *count);
-    }
-    return read_mesh(argument);
+    const bool names_shape = colon != std::string::npos && argument.find('/') == std::string::npos;
+    if (!names_shape || std::filesystem::exists(argument)) return read_mesh(argument);
+    const auto count = parse_count(std::string_view(argument).substr(colon + 1));
+    if (!count)
+        throw InvalidInput(argument + ": expected a count such as 500, 10k or 2M after the colon");
+    return generate(argument.substr(0, colon), *count);
 }
 
 std::string mesh_argument_help() {

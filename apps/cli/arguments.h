@@ -21,8 +21,9 @@ struct Accelerator {
     SceneOptions scene_options() const;
 };
 
-/// Adds --cost, and to all where it is asked for, --threads.
+/// Adds --cost.
 void add_cost(CLI::App& command, std::string& cost);
+/// Adds --threads.
 void add_threads(CLI::App& command, std::size_t& threads);
 
 /// "brute" and the builders.

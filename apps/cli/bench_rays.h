@@ -16,7 +16,7 @@ struct RaySet {
     std::vector<Ray> rays;
 };
 
-/// Rays around a mesh, about the given number of each kind, the same on every machine:
+/// Rays around a mesh, about the given number of each kind, the same each time:
 /// primary, from a camera that sees the whole mesh; ambient occlusion, any hit, from what those see
 /// into the half space above; random, between points of a sphere around the mesh.
 std::vector<RaySet> make_ray_sets(const Scene& scene, std::size_t count);

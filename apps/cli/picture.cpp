@@ -20,8 +20,7 @@ bool parse_size(const std::string& text, int& width, int& height) {
     const auto first = std::from_chars(text.data(), end, width);
     if (first.ec != std::errc{} || first.ptr == end || *first.ptr != 'x') return false;
     const auto second = std::from_chars(first.ptr + 1, end, height);
-    return second.ec == std::errc{} && second.ptr == end && width > 0 && height > 0 &&
-           width <= 65536 && height <= 65536;
+    return second.ec == std::errc{} && second.ptr == end && is_image_size(width, height);
 }
 
 void warn_of_slow_builds(const World& world, const BuildOptions& options) {
@@ -42,7 +41,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
             [&options](const std::string& text) {
                 if (!parse_size(text, options.width, options.height))
                     throw CLI::ValidationError(
-                        "--size", "found '" + text + "', expected WIDTHxHEIGHT, up to 65536x65536");
+                        "--size", "found '" + text + "', expected WIDTHxHEIGHT, up to 2^28 pixels");
             },
             "pixels of the picture")
         ->default_str(fmt::format("{}x{}", options.width, options.height));

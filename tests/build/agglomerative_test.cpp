@@ -43,8 +43,10 @@ float cost_of_merging(const Box3f& a, const Box3f& b, MergeCost cost) {
         case MergeCost::centroid_distance:
             return between.x() * between.x() + between.y() * between.y() +
                    between.z() * between.z();
-        case MergeCost::volume_increase: return volume(both) - (volume(a) + volume(b));
-        case MergeCost::surface_area: return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();
+        case MergeCost::volume_increase:
+            return volume(both) - (volume(a) + volume(b));
+        case MergeCost::surface_area:
+            return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();
     }
     return 0;
 }
@@ -171,9 +173,7 @@ TEST(Agglomerative, scaling_by_powers_of_two_changes_nothing) {
 }
 
 TEST(Agglomerative, cheapest_pair_is_merged_first) {
-    const auto at = [](float x) {
-        return Box3f{Vec3f(x, 0, 0), Vec3f(x + 1, 1, 1)};
-    };
+    const auto at = [](float x) { return Box3f{Vec3f(x, 0, 0), Vec3f(x + 1, 1, 1)}; };
     const std::vector<Box3f> boxes = {at(0), at(10), at(2), at(11)};
     for (const auto& [name, cost] : merge_costs()) {
         const Tree tree = build_agglomerative(boxes, {.cost = cost});
@@ -239,8 +239,8 @@ TEST(Agglomerative, chain_of_20000_coplanar_boxes_is_built_measured_and_traverse
     TriangleMesh mesh;
     for (int i = 0; i < 20'000; ++i) {
         const int first = static_cast<int>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), {Vec3d(2 * i, 0, 0), Vec3d(2 * i + 1, 0, 0),
-                                                   Vec3d(2 * i, 1, 0)});
+        mesh.vertices.insert(mesh.vertices.end(),
+                             {Vec3d(2 * i, 0, 0), Vec3d(2 * i + 1, 0, 0), Vec3d(2 * i, 1, 0)});
         mesh.faces.emplace_back(first, first + 1, first + 2);
     }
     const Tree tree = build_tree(

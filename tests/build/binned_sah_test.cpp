@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,8 +31,9 @@ void expect_good_tree(const std::vector<Box3f>& boxes, const BinnedSahOptions& o
     ASSERT_EQ(find_fault(tree, boxes), std::nullopt);
     const TreeStatistics found = statistics(tree);
     EXPECT_LE(found.largest_leaf, options.largest_leaf);
-    EXPECT_LE(static_cast<double>(found.depth),
-              40 + std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(boxes.size(), 1)))));
+    EXPECT_LE(
+        static_cast<double>(found.depth),
+        40 + std::ceil(std::log2(static_cast<double>(std::max<std::size_t>(boxes.size(), 1)))));
 }
 
 TEST(BinnedSah, leaves_are_no_larger_than_asked) {
@@ -62,15 +64,14 @@ TEST(BinnedSah, options_out_of_range_are_refused) {
 
 TEST(BinnedSah, sah_cost_is_below_that_of_median) {
     const std::vector<std::pair<std::string, TriangleMesh>> meshes = {
-        {"icosphere", generate_icosphere(5000)},
-        {"soup", generate_soup(5000)},
-        {"torus_knot", generate_torus_knot(5000)},
-        {"terrain", generate_terrain(5000)},
+        {"icosphere", generate_icosphere(5000)},   {"soup", generate_soup(5000)},
+        {"torus_knot", generate_torus_knot(5000)}, {"terrain", generate_terrain(5000)},
         {"gyroid", generate_gyroid(5000)},
     };
     for (const auto& [name, mesh] : meshes) {
         const double binned = statistics(build_tree(mesh)).sah_cost;
-        const double median = statistics(build_tree(mesh, {.method = BuildMethod::median})).sah_cost;
+        const double median =
+            statistics(build_tree(mesh, {.method = BuildMethod::median})).sah_cost;
         EXPECT_LE(binned, median) << name;
     }
 }

@@ -38,7 +38,8 @@ TEST(RayBox, boxes_behind_or_beyond_the_limits_are_missed) {
     EXPECT_FALSE(is_hit(kUnit, {.origin = {0.5, 0.5, 3}, .direction = {0, 0, 1}}));
     EXPECT_FALSE(is_hit(kUnit, {.origin = {0.5, 0.5, 3}, .direction = {0, 0, -1}, .t_max = 1.9}));
     EXPECT_FALSE(is_hit(kUnit, {.origin = {0.5, 0.5, 3}, .direction = {0, 0, -1}, .t_min = 3.1}));
-    EXPECT_TRUE(is_hit(kUnit, {.origin = {0.5, 0.5, 3}, .direction = {0, 0, 1}, .t_min = -kInfinity}));
+    EXPECT_TRUE(
+        is_hit(kUnit, {.origin = {0.5, 0.5, 3}, .direction = {0, 0, 1}, .t_min = -kInfinity}));
 }
 
 TEST(RayBox, zero_components_of_the_direction_are_right_on_all_axes_and_signs) {

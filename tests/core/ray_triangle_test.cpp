@@ -181,8 +181,9 @@ TEST(RayTriangle, two_that_share_an_edge_leave_no_gap) {
     Random random(6);
     for (int i = 0; i < 20'000; ++i) {
         const Vec3d a = random.point(-1, 1), b = random.point(-1, 1);
-        const Ray ray = {.origin = random.point(4, 5),
-                         .direction = a + random.number(0.05, 0.95) * (b - a) - Vec3d(4.5, 4.5, 4.5)};
+        const Ray ray = {
+            .origin = random.point(4, 5),
+            .direction = a + random.number(0.05, 0.95) * (b - a) - Vec3d(4.5, 4.5, 4.5)};
         const Vec3d target = ray.at(1), along = (b - a).normalized();
         // Wings to both sides of the edge, as the ray sees it.
         const Vec3d side = along.cross(ray.direction).normalized();
@@ -204,7 +205,8 @@ TEST(DifferenceOfProducts, sign_is_exact) {
     for (int i = 0; i < 50'000; ++i) {
         const double a = whole(), b = whole();
         // Products that agree in nearly all their digits.
-        const double c = a + std::floor(random.number(-2, 3)), d = b + std::floor(random.number(-2, 3));
+        const double c = a + std::floor(random.number(-2, 3)),
+                     d = b + std::floor(random.number(-2, 3));
         ASSERT_EQ(sign(difference_of_products(a, b, c, d)), sign(exact(a, b) - exact(c, d))) << i;
         ASSERT_EQ(difference_of_products(a, b, a, b), 0);
         ASSERT_EQ(difference_of_products(a, b, b, a), 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct NamedAccelerator {
     std::string name;
     SceneOptions options;
 };
+/// How tests that it is a parameter of are listed.
+inline void PrintTo(const NamedAccelerator& accelerator, std::ostream* out) {
+    *out << accelerator.name;
+}
 
 /// Brute force first, then a tree of each build.
 inline std::vector<NamedAccelerator> all_accelerators() {

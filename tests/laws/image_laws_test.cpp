@@ -22,14 +22,23 @@ World small_world() {
     world.camera.lens_radius = 0.05;
     world.camera.pixel_spread = 1;
     world.materials = {
-        {.ambient = {0.5, 0.2, 0.1}, .diffuse = {0.6, 0.5, 0.4}, .specular = {0.3, 0.3, 0.3},
-         .mirror = {0.4, 0.4, 0.4}, .shininess = 32},
-        {.ambient = {0.1, 0.1, 0.3}, .diffuse = {0.1, 0.2, 0.1}, .specular = {0.5, 0.5, 0.5},
-         .refraction = {0.8, 0.9, 0.8}, .refraction_index = 1.5, .shininess = 100},
+        {.ambient = {0.5, 0.2, 0.1},
+         .diffuse = {0.6, 0.5, 0.4},
+         .specular = {0.3, 0.3, 0.3},
+         .mirror = {0.4, 0.4, 0.4},
+         .shininess = 32},
+        {.ambient = {0.1, 0.1, 0.3},
+         .diffuse = {0.1, 0.2, 0.1},
+         .specular = {0.5, 0.5, 0.5},
+         .refraction = {0.8, 0.9, 0.8},
+         .refraction_index = 1.5,
+         .shininess = 100},
         {.ambient = {0.3, 0.3, 0.3}, .diffuse = {0.7, 0.7, 0.7}},
     };
     world.lights = {{{3, 4, 5}, {20, 20, 20}}, {{-4, 3, 1}, {10, 5, 5}}};
-    world.spheres = {{{1.2, 0.2, 0.5}, 0.5, 1}, {{-1.3, 0, 0}, 0.6, 0}, {{-1.3, 0.1, 0}, 0.6, 2},
+    world.spheres = {{{1.2, 0.2, 0.5}, 0.5, 1},
+                     {{-1.3, 0, 0}, 0.6, 0},
+                     {{-1.3, 0.1, 0}, 0.6, 2},
                      {{-1.3, 0, 0}, 0.6, 2}};
     world.meshes.push_back({generate_torus_knot(1200), 0});
     world.meshes.push_back({generate_icosphere(320), 1});
@@ -79,8 +88,8 @@ TEST(ImageLaws, heat_is_the_same_for_any_number_of_threads) {
         const Surfaces surfaces(world, options);
         const ColorImage expected = picture(world, surfaces, IntegratorKind::heat, 1);
         for (const std::size_t threads : {2, 5}) {
-            EXPECT_TRUE(are_identical(picture(world, surfaces, IntegratorKind::heat, threads),
-                                      expected))
+            EXPECT_TRUE(
+                are_identical(picture(world, surfaces, IntegratorKind::heat, threads), expected))
                 << name << ", " << threads << " threads";
         }
     }
@@ -91,8 +100,11 @@ TEST(ImageLaws, seed_chooses_the_samples) {
     const Surfaces surfaces(world);
     const auto with_seed = [&](std::uint64_t seed) {
         return render(world, surfaces,
-                      {.width = 20, .height = 15, .integrator = IntegratorKind::whitted,
-                       .samples = 2, .seed = seed});
+                      {.width = 20,
+                       .height = 15,
+                       .integrator = IntegratorKind::whitted,
+                       .samples = 2,
+                       .seed = seed});
     };
     EXPECT_TRUE(are_identical(with_seed(3), with_seed(3)));
     EXPECT_FALSE(are_identical(with_seed(3), with_seed(4)));

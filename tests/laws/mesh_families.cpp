@@ -60,8 +60,8 @@ TriangleMesh turned_duplicates() {
     TriangleMesh mesh = duplicates();
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         const int k = static_cast<int>(i % 3);
-        mesh.faces[i] = i % 2 ? Vec3i(k, (k + 1) % 3, (k + 2) % 3)
-                              : Vec3i((k + 2) % 3, (k + 1) % 3, k);
+        mesh.faces[i] =
+            i % 2 ? Vec3i(k, (k + 1) % 3, (k + 2) % 3) : Vec3i((k + 2) % 3, (k + 1) % 3, k);
     }
     return mesh;
 }
@@ -130,9 +130,15 @@ TriangleMesh with_degenerate_ones() {
     for (std::size_t i = 0; i < mesh.faces.size(); i += 3) {
         Vec3i& face = mesh.faces[i];
         switch (i % 4) {
-            case 0: face = {face[0], face[0], face[0]}; break;
-            case 1: face = {face[0], face[1], face[0]}; break;
-            case 2: face = {face[0], face[1], face[1]}; break;
+            case 0:
+                face = {face[0], face[0], face[0]};
+                break;
+            case 1:
+                face = {face[0], face[1], face[0]};
+                break;
+            case 2:
+                face = {face[0], face[1], face[1]};
+                break;
             default:
                 mesh.vertices[face[2]] =
                     0.5 * mesh.vertices[face[0]] + 0.5 * mesh.vertices[face[1]];
@@ -185,7 +191,8 @@ TriangleMesh exponential_sizes() {
     return mesh;
 }
 
-/// Each triangle beyond all those before, at twice their distance: top-down trees want to be chains.
+/// Each triangle beyond all those before, at twice their distance: top-down trees want to be
+/// chains.
 TriangleMesh exponential_places() {
     Random random(26);
     TriangleMesh mesh;
@@ -229,8 +236,8 @@ TriangleMesh subdivided_cube(int n) {
     TriangleMesh mesh;
     std::map<std::tuple<double, double, double>, int> index_of;
     const auto index = [&](const Vec3d& p) {
-        const auto [place, is_new] = index_of.try_emplace(
-            {p.x(), p.y(), p.z()}, static_cast<int>(mesh.vertices.size()));
+        const auto [place, is_new] =
+            index_of.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(mesh.vertices.size()));
         if (is_new) mesh.vertices.push_back(p);
         return place->second;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,11 @@ struct MeshFamily {
     std::string name;
     TriangleMesh (*make)();
 };
+/// How tests that it is a parameter of are listed.
+inline void PrintTo(const MeshFamily& family, std::ostream* out) { *out << family.name; }
 
-/// Meshes of every kind that a builder or a query might stumble over, of up to about 2000 triangles.
+/// Meshes of every kind that a builder or a query might stumble over, of up to about 2000
+/// triangles.
 const std::vector<MeshFamily>& mesh_families();
 
 /// The surface of the cube [0, 1]^3 in n x n squares a side, n a power of two, so that all its

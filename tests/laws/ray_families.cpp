@@ -17,7 +17,8 @@ class RayMaker {
 public:
     RayMaker(MeshView mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {
         for (const Vec3d& vertex : mesh.vertices) {
-            if (vertex.allFinite() && vertex.lpNorm<Eigen::Infinity>() < 1e39) bounds_.extend(vertex);
+            if (vertex.allFinite() && vertex.lpNorm<Eigen::Infinity>() < 1e39)
+                bounds_.extend(vertex);
         }
         if (bounds_.is_empty()) bounds_ = {Vec3d::Constant(-1), Vec3d::Constant(1)};
         size_ = std::max(bounds_.extent().maxCoeff(), 1e-300);
@@ -32,16 +33,26 @@ public:
 private:
     Ray with_line() {
         switch (random_.index(10)) {
-            case 0: return {.origin = around(1), .direction = random_.direction()};
-            case 1: return {.origin = far_out(), .direction = (around(0.5) - ray_origin_)};
-            case 2: return at(vertex());
-            case 3: return at(on_edge());
-            case 4: return at(inside_triangle());
-            case 5: return along_edge();
-            case 6: return {.origin = vertex(), .direction = random_.direction()};
-            case 7: return parallel_to_axis();
-            case 8: return parallel_to_plane();
-            default: return from_box_face();
+            case 0:
+                return {.origin = around(1), .direction = random_.direction()};
+            case 1:
+                return {.origin = far_out(), .direction = (around(0.5) - ray_origin_)};
+            case 2:
+                return at(vertex());
+            case 3:
+                return at(on_edge());
+            case 4:
+                return at(inside_triangle());
+            case 5:
+                return along_edge();
+            case 6:
+                return {.origin = vertex(), .direction = random_.direction()};
+            case 7:
+                return parallel_to_axis();
+            case 8:
+                return parallel_to_plane();
+            default:
+                return from_box_face();
         }
     }
 
@@ -51,8 +62,8 @@ private:
         return bounds_.lo + p.cwiseProduct(Vec3d::Constant(size_));
     }
     Vec3d far_out() {
-        ray_origin_ = bounds_.centroid() + std::pow(10, random_.number(0, 6)) * size_ *
-                                               random_.direction();
+        ray_origin_ =
+            bounds_.centroid() + std::pow(10, random_.number(0, 6)) * size_ * random_.direction();
         return ray_origin_;
     }
     std::size_t face() { return random_.index(mesh_.faces.size()); }
@@ -79,10 +90,17 @@ private:
     Ray at(const Vec3d& target) {
         Vec3d origin;
         switch (random_.index(4)) {
-            case 0: origin = vertex(); break;
-            case 1: origin = far_out(); break;
-            case 2: origin = Vec3d::Zero(); break;
-            default: origin = around(1);
+            case 0:
+                origin = vertex();
+                break;
+            case 1:
+                origin = far_out();
+                break;
+            case 2:
+                origin = Vec3d::Zero();
+                break;
+            default:
+                origin = around(1);
         }
         const Vec3d towards = target - origin;
         return {.origin = origin, .direction = random_.number() < 0.5 ? towards : 2 * towards};
@@ -136,18 +154,33 @@ private:
     void set_limits(Ray& ray) {
         const double length = ray.direction.norm();
         switch (random_.index(12)) {
-            case 0: ray.t_max = random_.number(0, 2); break;
-            case 1: ray.t_min = random_.number(0, 2); break;
-            case 2: ray.t_max = 1; break;  // where many of these rays aim
-            case 3: ray.t_min = 1; break;
-            case 4: ray.t_min = -kInfinity; break;
+            case 0:
+                ray.t_max = random_.number(0, 2);
+                break;
+            case 1:
+                ray.t_min = random_.number(0, 2);
+                break;
+            case 2:
+                ray.t_max = 1;
+                break;  // where many of these rays aim
+            case 3:
+                ray.t_min = 1;
+                break;
+            case 4:
+                ray.t_min = -kInfinity;
+                break;
             case 5:
                 ray.t_min = -random_.number();
                 ray.t_max = random_.number();
                 break;
-            case 6: ray.t_min = ray.t_max = std::floor(random_.number(0, 2)); break;
-            case 7: ray.direction *= std::pow(10, random_.number(-140, 140)) / length; break;
-            default: break;
+            case 6:
+                ray.t_min = ray.t_max = std::floor(random_.number(0, 2));
+                break;
+            case 7:
+                ray.direction *= std::pow(10, random_.number(-140, 140)) / length;
+                break;
+            default:
+                break;
         }
         if (random_.number() < 0.2 && !mesh_.faces.empty())
             ray.skip = {0, static_cast<std::uint32_t>(face())};

@@ -66,9 +66,8 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
                 const auto found = scenes[i].closest_hit(ray);
                 ASSERT_TRUE(are_identical(found, expected))
                     << accelerators[i].name << ", seed " << seed << ", variant " << variant << "\n"
-                    << testing::PrintToString(ray) << "\nfound    "
-                    << testing::PrintToString(found) << "\nexpected "
-                    << testing::PrintToString(expected);
+                    << testing::PrintToString(ray) << "\nfound    " << testing::PrintToString(found)
+                    << "\nexpected " << testing::PrintToString(expected);
                 ASSERT_EQ(scenes[i].any_hit(ray), expected.has_value())
                     << accelerators[i].name << ", seed " << seed << ", variant " << variant;
             }

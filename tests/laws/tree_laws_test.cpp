@@ -52,17 +52,20 @@ TEST_P(TreeLaws, queries_equal_brute_force_to_the_last_bit) {
                 const auto found = closest_hit(mesh_, trees[i], ray);
                 ASSERT_TRUE(are_identical(found, expected))
                     << builds[i].name << ", seed " << seed << ", variant " << variant << "\n"
-                    << testing::PrintToString(ray) << "\nfound    "
-                    << testing::PrintToString(found) << "\nexpected "
-                    << testing::PrintToString(expected);
+                    << testing::PrintToString(ray) << "\nfound    " << testing::PrintToString(found)
+                    << "\nexpected " << testing::PrintToString(expected);
                 ASSERT_EQ(any_hit(mesh_, trees[i], ray), expected_any)
                     << builds[i].name << ", seed " << seed << ", variant " << variant << "\n"
                     << testing::PrintToString(ray);
             }
             if (!expected) break;
             switch (variant) {
-                case 0: ray.t_max = expected->t; break;
-                case 1: ray.skip = {0, expected->triangle}; break;
+                case 0:
+                    ray.t_max = expected->t;
+                    break;
+                case 1:
+                    ray.skip = {0, expected->triangle};
+                    break;
                 default:
                     ray.t_max = std::numeric_limits<double>::infinity();
                     ray.t_min = expected->t;

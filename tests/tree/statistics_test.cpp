@@ -11,8 +11,11 @@ Box3f box(float x_lo, float x_hi) { return {Vec3f(x_lo, 0, 0), Vec3f(x_hi, 1, 1)
 TEST(Statistics, tree_made_by_hand_is_counted) {
     // Five primitives: a leaf of three at depth 1, leaves of one at depth 2.
     Tree tree;
-    tree.nodes = {{box(0, 4), 1, 0}, {box(0, 1), 0, 3}, {box(2, 4), 3, 0},
-                  {box(2, 3), 3, 1}, {box(3, 4), 4, 1}};
+    tree.nodes = {{box(0, 4), 1, 0},
+                  {box(0, 1), 0, 3},
+                  {box(2, 4), 3, 0},
+                  {box(2, 3), 3, 1},
+                  {box(3, 4), 4, 1}};
     tree.order = {4, 3, 2, 1, 0};
     const TreeStatistics found = statistics(tree);
     EXPECT_EQ(found.nodes, 5u);

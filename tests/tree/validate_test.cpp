@@ -18,8 +18,11 @@ const std::vector<Box3f> kBoxes = {box(0, 1), box(1, 2), box(5, 6), box(7, 9)};
 /// Root 0 over leaf 1 (primitives 1, 0) and inner node 2 over leaves 3 and 4.
 Tree valid_tree() {
     Tree tree;
-    tree.nodes = {{box(0, 9), 1, 0}, {box(0, 2), 0, 2}, {box(5, 9), 3, 0},
-                  {box(5, 6), 2, 1}, {box(7, 9), 3, 1}};
+    tree.nodes = {{box(0, 9), 1, 0},
+                  {box(0, 2), 0, 2},
+                  {box(5, 9), 3, 0},
+                  {box(5, 6), 2, 1},
+                  {box(7, 9), 3, 1}};
     tree.order = {1, 0, 2, 3};
     return tree;
 }
@@ -50,7 +53,8 @@ TEST(Validate, each_kind_of_fault_is_found) {
         {"leaf beyond", [](Tree& t) { t.nodes[4].count = 2; }, "leaf 4 ends beyond"},
         {"leaf overflows", [](Tree& t) { t.nodes[4].first = 0xffffffff; }, "leaf 4 ends beyond"},
         {"children beyond", [](Tree& t) { t.nodes[2].first = 4; }, "node 2 has children beyond"},
-        {"children overflow", [](Tree& t) { t.nodes[2].first = 0xffffffff; }, "node 2 has children"},
+        {"children overflow", [](Tree& t) { t.nodes[2].first = 0xffffffff; },
+         "node 2 has children"},
         {"cycle", [](Tree& t) { t.nodes[2].first = 1; }, ""},
         {"cycle of the root", [](Tree& t) { t.nodes[0].first = 0; }, "node 0 has two parents"},
         {"node not reached",
@@ -62,8 +66,8 @@ TEST(Validate, each_kind_of_fault_is_found) {
         {"root too small", [](Tree& t) { t.nodes[0].box.lo.x() = 1; }, "box of node 0 isn't tight"},
         {"leaf box too large", [](Tree& t) { t.nodes[3].box.lo.x() = 4; }, "isn't tight"},
         {"leaf box too small", [](Tree& t) { t.nodes[3].box.hi.z() = 0.5f; }, "isn't tight"},
-        {"box by a bit",
-         [](Tree& t) { t.nodes[4].box.hi.x() = std::nextafter(9.0f, 10.0f); }, "isn't tight"},
+        {"box by a bit", [](Tree& t) { t.nodes[4].box.hi.x() = std::nextafter(9.0f, 10.0f); },
+         "isn't tight"},
         {"NaN box", [=](Tree& t) { t.nodes[2].box.lo.y() = nan; }, "isn't tight"},
         {"infinite box", [=](Tree& t) { t.nodes[2].box.hi.y() = infinity; }, "isn't tight"},
         {"empty box", [](Tree& t) { t.nodes[2].box = {}; }, "isn't tight"},

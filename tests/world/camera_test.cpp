@@ -30,7 +30,8 @@ TEST(Camera, rays_through_pixel_centres_are_those_of_the_formulas) {
     Camera camera = some_camera();
     for (const bool is_perspective : {true, false}) {
         camera.is_perspective = is_perspective;
-        for (const auto& [i, j] : {std::pair(0, 0), {639, 0}, {0, 479}, {639, 479}, {320, 240}, {7, 301}}) {
+        for (const auto& [i, j] :
+             {std::pair(0, 0), {639, 0}, {0, 479}, {639, 479}, {320, 240}, {7, 301}}) {
             const Ray expected = classic_ray(camera, i, j, 640, 480);
             const Ray found = camera.ray({.film = {i + 0.5, j + 0.5}}, 640, 480);
             EXPECT_TRUE(found.origin.isApprox(expected.origin, 1e-15)) << i << " " << j;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -145,9 +146,9 @@ TEST_F(ClassicScene, meshes_are_looked_up_beside_the_scene_then_in_the_data_fold
 }
 
 TEST_F(ClassicScene, every_key_is_required) {
-    const std::vector<std::string> objects = {
-        "/Scene",    "/Camera",    "/Materials/0", "/Materials/1",
-        "/Lights/0", "/Objects/0", "/Objects/1",   "/Objects/2", ""};
+    const std::vector<std::string> objects = {"/Scene",       "/Camera",    "/Materials/0",
+                                              "/Materials/1", "/Lights/0",  "/Objects/0",
+                                              "/Objects/1",   "/Objects/2", ""};
     const auto as_path = [](const std::string& pointer) {
         std::string path = "$";
         for (const char c : pointer) {
@@ -171,8 +172,9 @@ TEST_F(ClassicScene, every_key_is_required) {
             const std::string message = message_of(scene.dump());
             // Type tells which other keys there are, so it is asked for by itself.
             const std::string expected =
-                key == "Type" ? ":" + as_path(object) + ": found an object, expected key 'Type'"
-                              : ":" + as_path(object) + ": found no key '" + key + "', expected one";
+                key == "Type"
+                    ? ":" + as_path(object) + ": found an object, expected key 'Type'"
+                    : ":" + as_path(object) + ": found no key '" + key + "', expected one";
             EXPECT_EQ(message, expected);
 
             // An unknown key in the same place, and one that differs in case alone.
@@ -206,11 +208,14 @@ TEST_F(ClassicScene, faults_are_reported_with_their_path_what_was_found_and_expe
     } kFaults[] = {
         {"/Scene", 7, ":$.Scene: found 7, expected an object"},
         {"/Scene", json::array(), ":$.Scene: found an array of 0, expected an object"},
-        {"/Scene/Background", {1, 2},
+        {"/Scene/Background",
+         {1, 2},
          ":$.Scene.Background: found an array of 2, expected an array of 3 numbers"},
-        {"/Scene/Background", {1, 2, 3, 4},
+        {"/Scene/Background",
+         {1, 2, 3, 4},
          ":$.Scene.Background: found an array of 4, expected an array of 3 numbers"},
-        {"/Scene/Background", 0.5, ":$.Scene.Background: found 0.5, expected an array of 3 numbers"},
+        {"/Scene/Background", 0.5,
+         ":$.Scene.Background: found 0.5, expected an array of 3 numbers"},
         {"/Scene/Ambient", {1, "2", 3}, ":$.Scene.Ambient[1]: found \"2\", expected a number"},
         {"/Scene/Ambient", {1, 2, nullptr}, ":$.Scene.Ambient[2]: found null, expected a number"},
         {"/Camera/IsPerspective", 1, ":$.Camera.IsPerspective: found 1, expected true or false"},
@@ -238,7 +243,8 @@ TEST_F(ClassicScene, faults_are_reported_with_their_path_what_was_found_and_expe
         {"/Objects/0/Type", "Cube",
          ":$.Objects[0].Type: found \"Cube\", expected \"Sphere\", \"Parallelogram\" or \"Mesh\""},
         {"/Objects/0/Type", "sphere",
-         ":$.Objects[0].Type: found \"sphere\", expected \"Sphere\", \"Parallelogram\" or \"Mesh\""},
+         ":$.Objects[0].Type: found \"sphere\", expected \"Sphere\", \"Parallelogram\" or "
+         "\"Mesh\""},
         {"/Objects/0/Type", 1, ":$.Objects[0].Type: found 1, expected a string"},
         {"/Objects/0/Material", 2,
          ":$.Objects[0].Material: found 2, expected a whole number from 0 to 1"},

@@ -7,6 +7,7 @@
 #include "boxwood/build/median.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "boxwood/build/slots.h"

@@ -19,13 +19,23 @@ public:
     using Error::Error;
 };
 
+/// The text on one line of bearable length, whatever was quoted from a file.
+inline std::string one_line(std::string text) {
+    constexpr std::size_t kLongest = 400;
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + " ...";
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < ' ') c = '?';
+    }
+    return text;
+}
+
 /// A file that doesn't hold what its format demands: "file:line: found ..., expected ...".
 class ParseError : public Error {
 public:
     /// The place is a line number, a JSON path or whatever finds the fault in the file; an empty
     /// place is left out.
     ParseError(const std::string& file, const std::string& place, const std::string& message)
-        : Error(file + (place.empty() ? "" : ":" + place) + ": " + message) {}
+        : Error(file + (place.empty() ? "" : ":" + place) + ": " + one_line(message)) {}
     ParseError(const std::string& file, std::size_t line, const std::string& message)
         : ParseError(file, std::to_string(line), message) {}
 };

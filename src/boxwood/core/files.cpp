@@ -63,6 +63,14 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     std::error_code ignored;
     if (fs::is_directory(path_, ignored))
         throw IoError(path_.string(), "found a directory, expected a file to write");
+    // The file that a link leads to is replaced, not the link; what isn't a file stays what it is.
+    if (fs::is_symlink(path_, ignored) && fs::exists(path_, ignored))
+        path_ = fs::canonical(path_, ignored);
+    if (fs::exists(path_, ignored)) {
+        if (!fs::is_regular_file(path_, ignored))
+            throw IoError(path_.string(), "found a device or a pipe, expected a file to write");
+        if (access(path_.c_str(), W_OK) != 0) throw system_error(path_);
+    }
     temporary_ = path_;
     temporary_ += "." + std::to_string(getpid()) + ".partial";
     file_ = std::fopen(temporary_.c_str(), "wb");
@@ -84,11 +92,17 @@ void OutputFile::write(std::span<const std::byte> bytes) {
 void OutputFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
 
 void OutputFile::commit() {
-    if (std::fflush(file_) != 0) throw system_error(path_);
     std::error_code error;
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) {
+        const IoError failure = system_error(path_);
+        fs::remove(temporary_, error);
+        throw failure;
+    }
     fs::rename(temporary_, path_, error);
-    if (error) throw IoError(path_.string(), error.message());
-    std::fclose(std::exchange(file_, nullptr));
+    if (!error) return;
+    const IoError failure(path_.string(), error.message());
+    fs::remove(temporary_, error);
+    throw failure;
 }
 
 }  // namespace boxwood

@@ -25,6 +25,12 @@ struct Image {
     const Pixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
+/// Whether there can be a picture of that size: at least one pixel, at most 2^28 of them, which is
+/// what PNG files and the memory of ordinary machines hold.
+constexpr bool is_image_size(int width, int height) {
+    return width > 0 && height > 0 && std::int64_t{width} * height <= (std::int64_t{1} << 28);
+}
+
 struct Rgba8 {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
 

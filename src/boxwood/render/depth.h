@@ -10,6 +10,8 @@ public:
     explicit DepthIntegrator(const Surfaces& surfaces) : surfaces_(surfaces) {}
 
     Color radiance(const Ray& ray) const override;
+    /// There is no mean of a distance and of nothing.
+    bool can_average() const override { return false; }
     void develop(ColorImage& image) const override;
 
 private:

@@ -24,6 +24,9 @@ public:
     /// Whether rays should leave from all over the camera's lens.
     virtual bool uses_lens() const { return false; }
 
+    /// Whether a pixel may be the mean of several rays.
+    virtual bool can_average() const { return true; }
+
     /// What radiance() measured, turned into colours once all pixels are known.
     virtual void develop(ColorImage&) const {}
 };

@@ -22,7 +22,8 @@ public:
           integrator_(make_integrator(options.integrator, world, surfaces, options.bounces)),
           image_(options.width, options.height, Color::Zero()) {
         uses_lens_ = integrator_->uses_lens() && options.samples > 1 && camera_.lens_radius > 0;
-        samples_ = uses_lens_ || camera_.pixel_spread > 0 ? options.samples : 1;
+        const bool rays_differ = uses_lens_ || camera_.pixel_spread > 0;
+        samples_ = rays_differ && integrator_->can_average() ? options.samples : 1;
     }
 
     ColorImage render() && {
@@ -85,10 +86,9 @@ private:
 }  // namespace
 
 ColorImage render(const World& world, const Surfaces& surfaces, const RenderOptions& options) {
-    constexpr int kLargestSide = 1 << 16;
-    if (std::min(options.width, options.height) < 1 ||
-        std::max(options.width, options.height) > kLargestSide)
-        throw InvalidInput("render: expected a width and a height from 1 to 65536");
+    if (!is_image_size(options.width, options.height))
+        throw InvalidInput(
+            "render: expected a width and a height of at least 1, up to 2^28 pixels");
     if (options.samples < 1 || options.bounces < 0)
         throw InvalidInput("render: expected at least one sample and no negative bounces");
     return Renderer(world, surfaces, options).render();

@@ -14,7 +14,16 @@ struct SurfaceHit {
     Vec3d point;
     Vec3d normal;  ///< geometric, of unit length, towards the front
     const Material* material = nullptr;
-    TriangleId id;  ///< for the skip of rays that go on from here
+    TriangleId id;
+
+    /// A ray that goes on from here. It doesn't see the triangle that it starts on, and starts off
+    /// the surface by as much as the point may be rounded to its wrong side, so that a neighbour in
+    /// the same plane doesn't catch it either.
+    Ray ray_towards(const Vec3d& direction) const {
+        const double rounding = 32 * 0x1p-52 * (point.lpNorm<Eigen::Infinity>() + t);
+        const double side = direction.dot(normal) < 0 ? -1 : 1;
+        return {.origin = point + side * rounding * normal, .direction = direction, .skip = id};
+    }
 };
 
 /// All that rays can hit in a world: its meshes, with their trees, and its spheres, which go by ids

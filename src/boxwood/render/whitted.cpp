@@ -34,11 +34,8 @@ Color WhittedIntegrator::trace(const Ray& ray, int bounces) const {
     const auto hit = surfaces_.closest_hit(ray);
     if (!hit) return world_.background;
 
-    const auto ray_towards = [&](const Vec3d& direction) {
-        return Ray{.origin = hit->point, .direction = direction, .skip = hit->id};
-    };
     const auto is_lit = [&](const Vec3d& to_light, double distance) {
-        Ray shadow_ray = ray_towards(to_light);
+        Ray shadow_ray = hit->ray_towards(to_light);
         shadow_ray.t_max = distance;
         return !surfaces_.any_hit(shadow_ray);
     };
@@ -49,11 +46,11 @@ Color WhittedIntegrator::trace(const Ray& ray, int bounces) const {
     const Material& material = *hit->material;
     if (!material.mirror.isZero(0)) {
         const Vec3d direction = reflected(to_viewer, hit->normal);
-        color += material.mirror.cwiseProduct(trace(ray_towards(direction), bounces - 1));
+        color += material.mirror.cwiseProduct(trace(hit->ray_towards(direction), bounces - 1));
     }
     if (!material.refraction.isZero(0)) {
         const Vec3d direction = refracted(to_viewer, hit->normal, material.refraction_index);
-        color += material.refraction.cwiseProduct(trace(ray_towards(direction), bounces - 1));
+        color += material.refraction.cwiseProduct(trace(hit->ray_towards(direction), bounces - 1));
     }
     return color;
 }
