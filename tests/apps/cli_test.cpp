@@ -33,8 +33,8 @@ class Cli : public testing::Test {
 protected:
     Outcome run(const std::string& arguments) {
         const fs::path out = folder_.path() / "stdout", err = folder_.path() / "stderr";
-        const std::string command = "cd '" + folder_.path().string() + "' && '" BOXWOOD_PROGRAM
-                                    "' " + arguments + " >stdout 2>stderr";
+        const std::string command = "cd '" + folder_.path().string() +
+                                    "' && '" BOXWOOD_PROGRAM "' " + arguments + " >stdout 2>stderr";
         const int status = std::system(command.c_str());
         EXPECT_TRUE(WIFEXITED(status)) << command;
         return {WEXITSTATUS(status), contents(out), contents(err)};

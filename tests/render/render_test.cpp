@@ -29,7 +29,7 @@ ColorImage render(const RenderOptions& options, const World& world = sphere_worl
 }
 
 TEST(Render, options_out_of_range_are_refused) {
-    for (const int bad : {0, -1, INT_MIN, 65'537, INT_MAX}) {
+    for (const int bad : {0, -1, INT_MIN, INT_MAX}) {
         EXPECT_THROW(render({.width = bad}), InvalidInput) << bad;
         EXPECT_THROW(render({.height = bad}), InvalidInput) << bad;
     }

@@ -50,7 +50,8 @@ TEST(Camera, first_pixel_is_up_and_left) {
 
 TEST(Camera, pixels_are_square_at_any_aspect) {
     const Camera camera = some_camera();
-    for (const auto& [width, height] : {std::pair(640, 480), {100, 300}, {1, 1}, {999, 10}}) {
+    for (const auto& [w, h] : {std::pair(640, 480), {100, 300}, {1, 1}, {999, 10}}) {
+        const int width = w, height = h;
         const auto on_film = [&](double x, double y) -> Vec3d {
             const Ray ray = camera.ray({.film = {x, y}}, width, height);
             return ray.direction / -ray.direction.z();

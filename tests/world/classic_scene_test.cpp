@@ -268,7 +268,7 @@ TEST_F(ClassicScene, faults_are_reported_with_their_path_what_was_found_and_expe
     for (const auto& [pointer, value, message] : kFaults) {
         SCOPED_TRACE(pointer);
         const json::json_pointer place{std::string(pointer)};
-        expect_fault([&](json& scene) { scene[place] = value; }, message);
+        expect_fault([&, fault = value](json& scene) { scene[place] = fault; }, message);
     }
 }
 
