@@ -3,6 +3,7 @@
 // lead somewhere.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,13 +56,27 @@ TEST(Readme, commands_run_in_the_order_shown) {
     fs::remove_all(scratch);
 }
 
-TEST(Readme, links_of_all_pages_at_the_root_lead_somewhere) {
-    const std::regex link(R"(\]\(([^)#:]+)\))");
-    for (const char* page : {"README.md", "HACKING.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
-        const std::string text = read(kRoot / page);
+/// Every page of the project, at its root or under docs/ and examples/.
+std::vector<fs::path> pages() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(kRoot)) found.push_back(entry.path());
+    for (const char* folder : {"docs", "examples"})
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+            found.push_back(entry.path());
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [](const fs::path& path) { return path.extension() != ".md"; }),
+                found.end());
+    return found;
+}
+
+TEST(Pages, links_lead_somewhere) {
+    const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
+    EXPECT_GT(pages().size(), 5u);
+    for (const fs::path& page : pages()) {
+        const std::string text = read(page);
         for (std::sregex_iterator i(text.begin(), text.end(), link); i != std::sregex_iterator();
              ++i)
-            EXPECT_TRUE(fs::exists(kRoot / (*i)[1].str())) << page << ": " << (*i)[1];
+            EXPECT_TRUE(fs::exists(page.parent_path() / (*i)[1].str())) << page << ": " << (*i)[1];
     }
 }
 

@@ -53,6 +53,16 @@ TEST(Image, pixels_are_in_rows_from_the_top) {
     EXPECT_EQ(converted.at(0, 1), (Rgba8{0, 255, 0, 255}));
 }
 
+TEST(Image, size_is_one_of_a_picture_from_1_to_2_to_the_28_pixels) {
+    for (const auto& [width, height] :
+         {std::pair(1, 1), {640, 480}, {1 << 14, 1 << 14}, {1 << 28, 1}})
+        EXPECT_TRUE(is_image_size(width, height)) << width << "x" << height;
+    constexpr int kMost = std::numeric_limits<int>::max();
+    for (const auto& [width, height] :
+         {std::pair(0, 1), {1, 0}, {-1, -1}, {(1 << 28) + 1, 1}, {16'385, 16'384}, {kMost, kMost}})
+        EXPECT_FALSE(is_image_size(width, height)) << width << "x" << height;
+}
+
 TEST(ColorMap, grows_ever_lighter) {
     double luminance = -1;
     for (int i = 0; i <= 1000; ++i) {

@@ -63,6 +63,28 @@ TEST(Surfaces, ray_that_goes_on_from_a_sphere_sees_its_far_side) {
         surfaces.any_hit({.origin = near->point, .direction = {0, 0, 1}, .skip = near->id}));
 }
 
+/// Where points are rounded to the wrong side of their plane, neighbours in it must not catch rays.
+TEST(Surfaces, rays_that_go_on_from_a_tilted_plane_do_not_hit_it_again) {
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        World world;
+        world.materials.resize(1);
+        const Vec3d n = random.direction(), u = n.cross(random.direction()).normalized();
+        const Vec3d v = n.cross(u), center = random.point(-100, 100);
+        TriangleMesh mesh = flat_grid(8);
+        for (Vec3d& p : mesh.vertices) p = center + (p.x() - 4) * u + (p.y() - 4) * v;
+        world.meshes = {{mesh, 0}};
+        const Surfaces surfaces(world);
+        for (int k = 0; k < 50; ++k) {
+            const Vec3d origin = center + 20 * random.direction();
+            const Vec3d target = center + random.number(-4, 4) * u + random.number(-4, 4) * v;
+            const auto hit = surfaces.closest_hit({.origin = origin, .direction = target - origin});
+            if (!hit) continue;
+            EXPECT_FALSE(surfaces.any_hit(hit->ray_towards(random.direction()))) << i << " " << k;
+        }
+    }
+}
+
 TEST(Surfaces, any_hit_sees_spheres_and_meshes_up_to_t_max) {
     const World world = sphere_before_wall();
     const Surfaces surfaces(world);

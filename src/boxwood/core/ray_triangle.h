@@ -52,7 +52,9 @@ inline double difference_of_products(double a, double b, double c, double d) {
 /// Whether a triangle lies to one side of the ray, which is 0 in x and in y, as most do. Which side
 /// nobody can predict, so there is one branch on both.
 inline bool on_one_side(double a, double b, double c) {
-    return (std::min(std::min(a, b), c) > 0) | (std::max(std::max(a, b), c) < 0);
+    const int above = std::min(std::min(a, b), c) > 0;
+    const int below = std::max(std::max(a, b), c) < 0;
+    return above | below;
 }
 
 struct TriangleHit {

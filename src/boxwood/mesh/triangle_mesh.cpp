@@ -59,7 +59,7 @@ Box3d bounds(MeshView mesh) {
 }
 
 Vec3d geometric_normal(MeshView mesh, std::size_t face) {
-    const Vec3d a = mesh.corner(face, 0);
+    const Vec3d& a = mesh.corner(face, 0);
     return (mesh.corner(face, 1) - a).cross(mesh.corner(face, 2) - a).normalized();
 }
 

@@ -36,6 +36,7 @@ void traverse(const Tree& tree, const Ray& ray, Visit&& visit,
         std::uint32_t node;
         double t;  ///< where the ray enters it
     };
+    if (tree.root().box.is_empty()) return;
     const SlabRay slabs(ray, tree.root().box);
     double t_max = ray.t_max;
     Entry current = {0, slabs.intersect(tree.root().box, ray.t_min, t_max)};
