@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// AVX-512 (F, BW, DQ, VL): 16 lanes. See core/simd.h for the vocabulary.
+#pragma once
+
+#include <immintrin.h>
+
+#include "boxwood/core/simd.h"
+
+namespace boxwood {
+
+struct Avx512 {
+    static constexpr int kWidth = 16;
+    using Float = __m512;
+    using Int = __m512i;
+
+    static BOXWOOD_KERNEL Float load(const float* p) { return _mm512_load_ps(p); }
+    static BOXWOOD_KERNEL Int load(const std::uint32_t* p) { return _mm512_load_si512(p); }
+    static BOXWOOD_KERNEL Float load_unaligned(const float* p) { return _mm512_loadu_ps(p); }
+    static BOXWOOD_KERNEL Int load_unaligned(const std::uint32_t* p) {
+        return _mm512_loadu_si512(p);
+    }
+    static BOXWOOD_KERNEL void store(float* p, Float x) { _mm512_store_ps(p, x); }
+    static BOXWOOD_KERNEL void store_unaligned(float* p, Float x) { _mm512_storeu_ps(p, x); }
+    static BOXWOOD_KERNEL void store_unaligned(std::uint32_t* p, Int x) {
+        _mm512_storeu_si512(p, x);
+    }
+    static BOXWOOD_KERNEL Float broadcast(float x) { return _mm512_set1_ps(x); }
+
+    static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm512_min_ps(a, b); }
+    static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm512_max_ps(a, b); }
+    static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return fused(a, b, c); }
+    static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
+        return _mm512_fmadd_ps(a, b, c);
+    }
+
+    static BOXWOOD_KERNEL unsigned less(Float a, Float b) {
+        return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ);
+    }
+    static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) {
+        return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ);
+    }
+    static BOXWOOD_KERNEL unsigned equal(Float a, Float b) {
+        return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ);
+    }
+
+    static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
+        return _mm512_maskz_compress_ps(static_cast<__mmask16>(mask), x);
+    }
+    static BOXWOOD_KERNEL Int compress(unsigned mask, Int x) {
+        return _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), x);
+    }
+
+    /// Four bits an octant; the permutation below reads the lowest four.
+    static constexpr int kOrderBits = 4;
+    static BOXWOOD_KERNEL Int order(const std::uint32_t* packed, int octant) {
+        return _mm512_srl_epi32(load(packed), _mm_cvtsi32_si128(kOrderBits * octant));
+    }
+    static BOXWOOD_KERNEL Float permute(Float x, Int order) {
+        return _mm512_permutexvar_ps(order, x);
+    }
+    static BOXWOOD_KERNEL Int permute(Int x, Int order) {
+        return _mm512_permutexvar_epi32(order, x);
+    }
+
+    static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
+        return _mm512_mask_reduce_min_ps(static_cast<__mmask16>(mask), x);
+    }
+};
+
+}  // namespace boxwood

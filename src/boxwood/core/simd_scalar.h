@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Four lanes in plain C++, for any machine, and the reference for the others. See core/simd.h.
+#pragma once
+
+#include <cmath>
+
+#include "boxwood/core/simd.h"
+
+namespace boxwood {
+
+struct Scalar {
+    static constexpr int kWidth = 4;
+
+    template <class T>
+    struct alignas(16) Lanes {
+        T lane[kWidth];
+
+        friend Lanes operator+(const Lanes& a, const Lanes& b) {
+            return map([&](int i) { return a.lane[i] + b.lane[i]; });
+        }
+        friend Lanes operator-(const Lanes& a, const Lanes& b) {
+            return map([&](int i) { return a.lane[i] - b.lane[i]; });
+        }
+        friend Lanes operator-(const Lanes& a) {
+            return map([&](int i) { return -a.lane[i]; });
+        }
+        friend Lanes operator*(const Lanes& a, const Lanes& b) {
+            return map([&](int i) { return a.lane[i] * b.lane[i]; });
+        }
+        friend Lanes operator/(const Lanes& a, const Lanes& b) {
+            return map([&](int i) { return a.lane[i] / b.lane[i]; });
+        }
+
+        template <class F>
+        static Lanes map(const F& f) {
+            Lanes result;
+            for (int i = 0; i < kWidth; ++i) result.lane[i] = f(i);
+            return result;
+        }
+    };
+    using Float = Lanes<float>;
+    using Int = Lanes<std::uint32_t>;
+
+    static Float load(const float* p) {
+        return Float::map([&](int i) { return p[i]; });
+    }
+    static Int load(const std::uint32_t* p) {
+        return Int::map([&](int i) { return p[i]; });
+    }
+    static Float load_unaligned(const float* p) { return load(p); }
+    static Int load_unaligned(const std::uint32_t* p) { return load(p); }
+    static void store(float* p, const Float& x) { store_lanes(p, x); }
+    static void store_unaligned(float* p, const Float& x) { store_lanes(p, x); }
+    static void store_unaligned(std::uint32_t* p, const Int& x) { store_lanes(p, x); }
+    static Float broadcast(float x) {
+        return Float::map([&](int) { return x; });
+    }
+
+    static Float min(const Float& a, const Float& b) {
+        return Float::map([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
+    }
+    static Float max(const Float& a, const Float& b) {
+        return Float::map([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+    }
+    static Float multiply_add(const Float& a, const Float& b, const Float& c) { return a * b + c; }
+    static Float fused(const Float& a, const Float& b, const Float& c) {
+        return Float::map([&](int i) { return std::fma(a.lane[i], b.lane[i], c.lane[i]); });
+    }
+
+    static unsigned less(const Float& a, const Float& b) {
+        return bits([&](int i) { return a.lane[i] < b.lane[i]; });
+    }
+    static unsigned less_equal(const Float& a, const Float& b) {
+        return bits([&](int i) { return a.lane[i] <= b.lane[i]; });
+    }
+    static unsigned equal(const Float& a, const Float& b) {
+        return bits([&](int i) { return a.lane[i] == b.lane[i]; });
+    }
+
+    template <class T>
+    static Lanes<T> compress(unsigned mask, const Lanes<T>& x) {
+        Lanes<T> result = {};
+        int end = 0;
+        for (int i = 0; i < kWidth; ++i) {
+            if (mask >> i & 1) result.lane[end++] = x.lane[i];
+        }
+        return result;
+    }
+
+    static constexpr int kOrderBits = 4;
+    static Int order(const std::uint32_t* packed, int octant) {
+        return Int::map([&](int i) { return packed[i] >> (kOrderBits * octant) & 3; });
+    }
+    template <class T>
+    static Lanes<T> permute(const Lanes<T>& x, const Int& order) {
+        return Lanes<T>::map([&](int i) { return x.lane[order.lane[i]]; });
+    }
+
+    static float least(unsigned mask, const Float& x) {
+        float least = x.lane[__builtin_ctz(mask)];
+        for (int i = 0; i < kWidth; ++i) {
+            if ((mask >> i & 1) && x.lane[i] < least) least = x.lane[i];
+        }
+        return least;
+    }
+
+private:
+    template <class T>
+    static void store_lanes(T* p, const Lanes<T>& x) {
+        for (int i = 0; i < kWidth; ++i) p[i] = x.lane[i];
+    }
+    template <class F>
+    static unsigned bits(const F& is_set) {
+        unsigned mask = 0;
+        for (int i = 0; i < kWidth; ++i) mask |= unsigned{is_set(i)} << i;
+        return mask;
+    }
+};
+
+}  // namespace boxwood

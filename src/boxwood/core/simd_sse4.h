@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SSE4.1: 4 lanes, no fused multiply-add. See core/simd.h for the vocabulary.
+#pragma once
+
+#include <smmintrin.h>
+
+#include "boxwood/core/simd.h"
+#include "boxwood/core/simd_compress.h"
+
+namespace boxwood {
+
+struct Sse4 {
+    static constexpr int kWidth = 4;
+    using Float = __m128;
+    using Int = __m128i;
+
+    static BOXWOOD_KERNEL Float load(const float* p) { return _mm_load_ps(p); }
+    static BOXWOOD_KERNEL Int load(const std::uint32_t* p) {
+        return _mm_load_si128(reinterpret_cast<const __m128i*>(p));
+    }
+    static BOXWOOD_KERNEL Float load_unaligned(const float* p) { return _mm_loadu_ps(p); }
+    static BOXWOOD_KERNEL Int load_unaligned(const std::uint32_t* p) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+    }
+    static BOXWOOD_KERNEL void store(float* p, Float x) { _mm_store_ps(p, x); }
+    static BOXWOOD_KERNEL void store_unaligned(float* p, Float x) { _mm_storeu_ps(p, x); }
+    static BOXWOOD_KERNEL void store_unaligned(std::uint32_t* p, Int x) {
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(p), x);
+    }
+    static BOXWOOD_KERNEL Float broadcast(float x) { return _mm_set1_ps(x); }
+
+    static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm_min_ps(a, b); }
+    static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm_max_ps(a, b); }
+    static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
+    static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
+        const __m128d low = fused(_mm_cvtps_pd(a), _mm_cvtps_pd(b), _mm_cvtps_pd(c));
+        const __m128d high = fused(upper(a), upper(b), upper(c));
+        return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+    }
+
+    static BOXWOOD_KERNEL unsigned less(Float a, Float b) { return bits(_mm_cmplt_ps(a, b)); }
+    static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) {
+        return bits(_mm_cmple_ps(a, b));
+    }
+    static BOXWOOD_KERNEL unsigned equal(Float a, Float b) { return bits(_mm_cmpeq_ps(a, b)); }
+
+    static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
+        return permute(x, lanes_of(mask));
+    }
+    static BOXWOOD_KERNEL Int compress(unsigned mask, Int x) { return permute(x, lanes_of(mask)); }
+
+    static constexpr int kOrderBits = 4;
+    static BOXWOOD_KERNEL Int order(const std::uint32_t* packed, int octant) {
+        const Int shifted = _mm_srl_epi32(load(packed), _mm_cvtsi32_si128(kOrderBits * octant));
+        return _mm_and_si128(shifted, _mm_set1_epi32(3));
+    }
+    static BOXWOOD_KERNEL Float permute(Float x, Int order) {
+        return _mm_castsi128_ps(permute(_mm_castps_si128(x), order));
+    }
+    static BOXWOOD_KERNEL Int permute(Int x, Int order) {
+        // Bytes 4 i to 4 i + 3 for lane i.
+        const Int first = _mm_shuffle_epi8(
+            order, _mm_setr_epi8(0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12));
+        return _mm_shuffle_epi8(
+            x, _mm_add_epi8(_mm_slli_epi32(first, 2), _mm_set1_epi32(0x03020100)));
+    }
+
+    static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
+        alignas(16) float lane[kWidth];
+        store(lane, x);
+        float least = lane[__builtin_ctz(mask)];
+        for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+            const float other = lane[__builtin_ctz(mask)];
+            if (other < least) least = other;
+        }
+        return least;
+    }
+
+private:
+    static BOXWOOD_KERNEL unsigned bits(__m128 mask) {
+        return static_cast<unsigned>(_mm_movemask_ps(mask));
+    }
+    static BOXWOOD_KERNEL Int lanes_of(unsigned mask) {
+        return _mm_cvtepu8_epi32(_mm_loadu_si32(kCompressLanes.of[mask]));
+    }
+    static BOXWOOD_KERNEL __m128d upper(Float x) { return _mm_cvtps_pd(_mm_movehl_ps(x, x)); }
+    /// The exact product of two floats plus a float, rounded to odd in double: where digits are
+    /// lost, the last one kept is odd, so that rounding on to float sees on which side of a tie the
+    /// sum lies. Source: Boldo and Melquiond, "Emulation of a FMA and correctly rounded sums",
+    /// IEEE Transactions on Computers 57(4), 2008.
+    static BOXWOOD_KERNEL __m128d fused(__m128d a, __m128d b, __m128d c) {
+        const __m128d p = _mm_mul_pd(a, b);
+        const __m128d sum = _mm_add_pd(p, c);
+        const __m128d of_c = _mm_sub_pd(sum, p);
+        const __m128d error =
+            _mm_add_pd(_mm_sub_pd(p, _mm_sub_pd(sum, of_c)), _mm_sub_pd(c, of_c));
+        const __m128i bits = _mm_castpd_si128(sum);
+        const __m128i one = _mm_set1_epi64x(1);
+        // Where the sum isn't exact and even: one step towards the error.
+        const __m128i inexact = _mm_castpd_si128(_mm_cmpneq_pd(error, _mm_setzero_pd()));
+        const __m128i even = _mm_sub_epi64(_mm_and_si128(bits, one), one);
+        const __m128i signs = _mm_castpd_si128(_mm_xor_pd(error, sum));
+        const __m128i shrinks =
+            _mm_shuffle_epi32(_mm_srai_epi32(signs, 31), _MM_SHUFFLE(3, 3, 1, 1));
+        const __m128i step = _mm_or_si128(shrinks, one);
+        const __m128i odd =
+            _mm_add_epi64(bits, _mm_and_si128(step, _mm_and_si128(inexact, even)));
+        return _mm_castsi128_pd(odd);
+    }
+};
+
+}  // namespace boxwood

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "boxwood/core/arena.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+/// The memory of a wide tree, laid out as query/wide_node.h says, and its expected cost.
+struct Collapsed {
+    Arena memory;
+    double cost = 0;
+};
+
+/// Collapses a binary tree to nodes of 4, 8 or 16 children; see WideTree.
+Collapsed collapse(MeshView mesh, const Tree& tree, int width);
+
+}  // namespace boxwood

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does one ray hit anything? No order and no distances are kept: the largest of the children that
+// are hit goes first, since a hit is likeliest there. Explained in docs/algorithms/any_hit.md.
+#pragma once
+
+#include "boxwood/query/kernels/node_ray.h"
+#include "boxwood/query/kernels/triangle_block.h"
+#include "boxwood/query/kernels/wide_walk.h"
+
+namespace boxwood {
+
+template <class S>
+bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
+    constexpr int N = S::kWidth;
+    using Float = typename S::Float;
+    if (!is_traceable(ray)) return false;
+
+    const NodeRay<S> node_ray(ray, tree.lo, tree.hi);
+    const BlockRay<S> block_ray(ray);
+    const Float t_max = S::broadcast(ray.t_max);
+    alignas(64) std::uint32_t references[kStackSize + kStackSlack];
+    int size = 0;
+    WideReference current = 0;
+    for (;;) {
+        if (!is_leaf(current)) {
+            const WideNode<N>& node = tree.node<N>(current);
+            Float enter, leave;
+            node_ray.intersect(node, t_max, enter, leave);
+            const unsigned hit = S::less_equal(enter, leave);
+            if (hit != 0) {
+                // Children stand in the order of their area, the largest last.
+                const int largest = 31 - __builtin_clz(hit);
+                current = node.child[largest];
+                if ((hit & (hit - 1)) != 0) {
+                    S::store_unaligned(references + size,
+                                       S::compress(hit, S::load(node.child)));
+                    size += __builtin_popcount(hit) - 1;
+                }
+                continue;
+            }
+        } else if (intersect<S>(tree.block<N>(current), block_ray, t_max).mask != 0) {
+            return true;
+        }
+        if (size == 0) return false;
+        current = references[--size];
+    }
+}
+
+}  // namespace boxwood

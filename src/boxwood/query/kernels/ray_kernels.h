@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "boxwood/core/simd.h"
+#include "boxwood/query/rayf.h"
+
+namespace boxwood {
+
+struct WideTreeView;
+
+/// The kernels of one instruction set.
+struct RayKernels {
+    void (*closest_hit)(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept;
+    bool (*any_hit)(const WideTreeView& tree, const Rayf& ray) noexcept;
+};
+
+// One of these a source file, compiled for that instruction set alone.
+const RayKernels& scalar_kernels();
+const RayKernels& sse4_kernels();
+const RayKernels& avx2_kernels();
+const RayKernels& avx512_kernels();
+
+/// Precondition: is_supported(set).
+const RayKernels& ray_kernels(InstructionSet set);
+
+}  // namespace boxwood
