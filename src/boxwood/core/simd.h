@@ -15,6 +15,8 @@
 //   order(packed, octant)         reads a permutation from a node, see query/wide_node.h
 //   permute(x, order)             lane i becomes lane order[i]
 //   least(mask, x)                the least lane of the mask, which isn't empty
+//   Quad                          the struct for four lanes, for the coordinates of one ray; it has
+//                                 abs(x), copy_sign(size, sign) for a size >= 0, signs(x) besides
 //
 // Floats also add, subtract and multiply by their operators.
 #pragma once

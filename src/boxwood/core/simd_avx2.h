@@ -6,12 +6,14 @@
 
 #include "boxwood/core/simd.h"
 #include "boxwood/core/simd_compress.h"
+#include "boxwood/core/simd_sse4.h"
 
 namespace boxwood {
 
 struct Avx2 {
     static constexpr int kWidth = 8;
     using Float = __m256;
+    using Quad = Sse4;
     using Int = __m256i;
 
     static BOXWOOD_KERNEL Float load(const float* p) { return _mm256_load_ps(p); }

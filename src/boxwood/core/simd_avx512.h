@@ -5,12 +5,14 @@
 #include <immintrin.h>
 
 #include "boxwood/core/simd.h"
+#include "boxwood/core/simd_sse4.h"
 
 namespace boxwood {
 
 struct Avx512 {
     static constexpr int kWidth = 16;
     using Float = __m512;
+    using Quad = Sse4;
     using Int = __m512i;
 
     static BOXWOOD_KERNEL Float load(const float* p) { return _mm512_load_ps(p); }

@@ -40,6 +40,7 @@ struct Scalar {
     };
     using Float = Lanes<float>;
     using Int = Lanes<std::uint32_t>;
+    using Quad = Scalar;
 
     static Float load(const float* p) {
         return Float::map([&](int i) { return p[i]; });
@@ -61,6 +62,15 @@ struct Scalar {
     }
     static Float max(const Float& a, const Float& b) {
         return Float::map([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+    }
+    static Float abs(const Float& x) {
+        return Float::map([&](int i) { return std::fabs(x.lane[i]); });
+    }
+    static Float copy_sign(const Float& size, const Float& sign) {
+        return Float::map([&](int i) { return std::copysign(size.lane[i], sign.lane[i]); });
+    }
+    static unsigned signs(const Float& x) {
+        return bits([&](int i) { return std::signbit(x.lane[i]); });
     }
     static Float multiply_add(const Float& a, const Float& b, const Float& c) { return a * b + c; }
     static Float fused(const Float& a, const Float& b, const Float& c) {

@@ -13,6 +13,7 @@ struct Sse4 {
     static constexpr int kWidth = 4;
     using Float = __m128;
     using Int = __m128i;
+    using Quad = Sse4;
 
     static BOXWOOD_KERNEL Float load(const float* p) { return _mm_load_ps(p); }
     static BOXWOOD_KERNEL Int load(const std::uint32_t* p) {
@@ -31,6 +32,11 @@ struct Sse4 {
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm_max_ps(a, b); }
+    static BOXWOOD_KERNEL Float abs(Float x) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), x); }
+    static BOXWOOD_KERNEL Float copy_sign(Float size, Float sign) {
+        return _mm_or_ps(size, _mm_and_ps(_mm_set1_ps(-0.0f), sign));
+    }
+    static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
         const __m128d low = fused(_mm_cvtps_pd(a), _mm_cvtps_pd(b), _mm_cvtps_pd(c));

@@ -43,6 +43,21 @@ struct alignas(4 * N) TriangleBlock {
     std::uint32_t triangle[N];
 };
 
+/// A wide tree as kernels see it. The root is at the start of the memory.
+struct WideTreeView {
+    const std::byte* memory = nullptr;
+    float lo[4] = {}, hi[4] = {};  ///< the bounds; the fourth number is idle
+
+    template <int N>
+    BOXWOOD_KERNEL const WideNode<N>& node(WideReference reference) const {
+        return *reinterpret_cast<const WideNode<N>*>(memory + byte_offset(reference));
+    }
+    template <int N>
+    BOXWOOD_KERNEL const TriangleBlock<N>& block(WideReference reference) const {
+        return *reinterpret_cast<const TriangleBlock<N>*>(memory + byte_offset(reference));
+    }
+};
+
 static_assert(sizeof(WideNode<4>) % kReferenceUnit == 0);
 static_assert(sizeof(TriangleBlock<4>) % kReferenceUnit == 0);
 

@@ -14,6 +14,11 @@ WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& optio
     memory_ = std::move(collapsed.memory);
     cost_ = collapsed.cost;
     bounds_ = tree.root().box;
+    view_.memory = memory_.data();
+    for (int k = 0; k < 3; ++k) {
+        view_.lo[k] = bounds_.lo[k];
+        view_.hi[k] = bounds_.hi[k];
+    }
 }
 
 }  // namespace boxwood

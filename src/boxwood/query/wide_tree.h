@@ -36,12 +36,13 @@ public:
     /// What a random line through the bounds is expected to cost, in node visits.
     double cost() const { return cost_; }
 
-    const std::byte* memory() const { return memory_.data(); }
-    WideReference root() const { return 0; }
+    /// What kernels walk: the root is at its start.
+    const WideTreeView& view() const { return view_; }
 
 private:
     InstructionSet instruction_set_ = InstructionSet::scalar;
     Arena memory_;
+    WideTreeView view_;
     Box3f bounds_;
     double cost_ = 0;
 };

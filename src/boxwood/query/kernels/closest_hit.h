@@ -54,9 +54,10 @@ struct ClosestHit {
             ab[k] = corner(1, k) - corner(0, k);
             ac[k] = corner(2, k) - corner(0, k);
         }
-        result.t = t;
-        result.u = v[lane] / determinant[lane];
-        result.v = w[lane] / determinant[lane];
+        // Adding 0 turns -0 into 0: which of them it is depends on who was the first of equals.
+        result.t = t + 0;
+        result.u = v[lane] / determinant[lane] + 0;
+        result.v = w[lane] / determinant[lane] + 0;
         result.triangle = triangle;
         for (int k = 0; k < 3; ++k) {
             const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;

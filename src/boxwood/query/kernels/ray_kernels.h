@@ -5,10 +5,9 @@
 
 #include "boxwood/core/simd.h"
 #include "boxwood/query/rayf.h"
+#include "boxwood/query/wide_node.h"
 
 namespace boxwood {
-
-struct WideTreeView;
 
 /// The kernels of one instruction set.
 struct RayKernels {

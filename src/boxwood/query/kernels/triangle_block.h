@@ -36,9 +36,10 @@ struct BlockRay {
         ox = S::broadcast(ray.origin[kx]);
         oy = S::broadcast(ray.origin[ky]);
         oz = S::broadcast(ray.origin[kz]);
-        sx = S::broadcast(ray.direction[kx] / along);
-        sy = S::broadcast(ray.direction[ky] / along);
-        sz = S::broadcast(1 / along);
+        const float inverse = 1 / along;
+        sx = S::broadcast(ray.direction[kx] * inverse);
+        sy = S::broadcast(ray.direction[ky] * inverse);
+        sz = S::broadcast(inverse);
         t_min = S::broadcast(ray.t_min);
     }
 };

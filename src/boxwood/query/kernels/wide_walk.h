@@ -7,21 +7,6 @@
 
 namespace boxwood {
 
-/// A wide tree as kernels see it.
-struct WideTreeView {
-    const std::byte* memory;
-    float lo[3], hi[3];  ///< the bounds
-
-    template <int N>
-    BOXWOOD_KERNEL const WideNode<N>& node(WideReference reference) const {
-        return *reinterpret_cast<const WideNode<N>*>(memory + byte_offset(reference));
-    }
-    template <int N>
-    BOXWOOD_KERNEL const TriangleBlock<N>& block(WideReference reference) const {
-        return *reinterpret_cast<const TriangleBlock<N>*>(memory + byte_offset(reference));
-    }
-};
-
 /// Places on the stack of a walk. No tree that is collapsed needs more; see collapse.cpp.
 constexpr int kStackSize = 4096;
 /// Vectors are stored whole, so there is room for one beyond the end.

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/rayf.h"
+
+namespace boxwood {
+
+/// What queries in float answer, one triangle at a time and with no vector, block, node or box in
+/// it: the watertight test in float, its edge functions accurate to 1.5 units in the last place.
+class FloatOracle {
+public:
+    FloatOracle(MeshView mesh, const Rayf& ray) : mesh_(mesh), ray_(ray) {
+        const auto size = [&](int k) { return std::fabs(ray.direction[k]); };
+        kz_ = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
+        kx_ = (kz_ + 1) % 3;
+        ky_ = (kz_ + 2) % 3;
+        sz_ = 1 / ray.direction[kz_];
+        sx_ = ray.direction[kx_] * sz_;
+        sy_ = ray.direction[ky_] * sz_;
+    }
+
+    std::optional<Hitf> closest_hit() const {
+        std::optional<Hitf> closest;
+        if (!is_traceable()) return closest;
+        for (std::uint32_t i = 0; i < mesh_.faces.size(); ++i) {
+            const auto hit = intersect(i);
+            if (hit && (!closest || hit->t < closest->t)) closest = hit;
+        }
+        return closest;
+    }
+
+private:
+    struct Corner {
+        float x, y, z;
+    };
+
+    bool is_traceable() const {
+        float length = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (!std::isfinite(ray_.origin[k]) || !std::isfinite(ray_.direction[k])) return false;
+            length = std::max(length, std::fabs(ray_.direction[k]));
+        }
+        return length >= 0x1p-60f && length <= 0x1p60f && ray_.t_min <= ray_.t_max;
+    }
+
+    Corner sheared(const Vec3d& p) const {
+        const float z = static_cast<float>(p[kz_]) - ray_.origin[kz_];
+        return {(static_cast<float>(p[kx_]) - ray_.origin[kx_]) - sx_ * z,
+                (static_cast<float>(p[ky_]) - ray_.origin[ky_]) - sy_ * z, z};
+    }
+
+    /// p.x q.y - p.y q.x
+    static float edge(const Corner& p, const Corner& q) {
+        const float py_qx = p.y * q.x;
+        return std::fma(p.x, q.y, -py_qx) + std::fma(-p.y, q.x, py_qx);
+    }
+
+    std::optional<Hitf> intersect(std::uint32_t i) const {
+        const Vec3d &pa = mesh_.corner(i, 0), &pb = mesh_.corner(i, 1), &pc = mesh_.corner(i, 2);
+        for (const Vec3d* p : {&pa, &pb, &pc}) {
+            if (!(p->lpNorm<Eigen::Infinity>() <= FLT_MAX)) return std::nullopt;
+        }
+        const Corner a = sheared(pa), b = sheared(pb), c = sheared(pc);
+        const float u = edge(c, b), v = edge(a, c), w = edge(b, a);
+        const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+        const float determinant = u + v + w;
+        if (!inside || !(std::fabs(determinant) >= 0x1p-100f)) return std::nullopt;
+        const float t = (u * (sz_ * a.z) + v * (sz_ * b.z) + w * (sz_ * c.z)) / determinant;
+        if (!(ray_.t_min <= t && t <= ray_.t_max)) return std::nullopt;
+        Hitf hit;
+        hit.t = t + 0;  // no -0
+        hit.u = v / determinant + 0;
+        hit.v = w / determinant + 0;
+        hit.triangle = i;
+        const Vec3f ab = pb.cast<float>() - pa.cast<float>(), ac = pc.cast<float>() - pa.cast<float>();
+        const Vec3f normal = ab.cross(ac);
+        std::copy(normal.data(), normal.data() + 3, hit.normal);
+        return hit;
+    }
+
+    MeshView mesh_;
+    Rayf ray_;
+    int kx_, ky_, kz_;
+    float sx_, sy_, sz_;
+};
+
+}  // namespace boxwood

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Queries in float: the same bits as one triangle at a time, for every builder, width and
+// instruction set that this machine has.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "boxwood/query/wide_hits.h"
+#include "laws/accelerators.h"
+#include "laws/float_oracle.h"
+#include "laws/mesh_families.h"
+#include "laws/ray_families.h"
+
+namespace boxwood {
+namespace {
+
+Rayf in_float(const Ray& ray) {
+    Rayf result;
+    for (int k = 0; k < 3; ++k) {
+        result.origin[k] = static_cast<float>(ray.origin[k]);
+        result.direction[k] = static_cast<float>(ray.direction[k]);
+    }
+    result.t_min = static_cast<float>(ray.t_min);
+    result.t_max = static_cast<float>(ray.t_max);
+    return result;
+}
+
+bool have_same_bits(const std::optional<Hitf>& a, const std::optional<Hitf>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return std::memcmp(&*a, &*b, sizeof(Hitf)) == 0;
+}
+
+std::string text(const std::optional<Hitf>& hit) {
+    if (!hit) return "no hit";
+    std::ostringstream out;
+    out.precision(9);
+    out << "t " << hit->t << " u " << hit->u << " v " << hit->v << " triangle " << hit->triangle
+        << " normal " << hit->normal[0] << " " << hit->normal[1] << " " << hit->normal[2];
+    return out.str();
+}
+
+struct NamedTree {
+    std::string name;
+    WideTree tree;
+};
+
+/// Over every builder with every instruction set.
+std::vector<NamedTree> all_trees(const TriangleMesh& mesh) {
+    std::vector<NamedTree> trees;
+    for (const auto& [name, options] : all_builds()) {
+        const Tree tree = build_tree(mesh, options);
+        for (const auto& [set_name, set] : instruction_sets()) {
+            if (is_supported(set))
+                trees.push_back({name + "/" + std::string(set_name), WideTree(mesh, tree, {set})});
+        }
+    }
+    return trees;
+}
+
+class WideLaws : public testing::TestWithParam<MeshFamily> {};
+
+TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
+    const TriangleMesh mesh = GetParam().make();
+    const std::vector<NamedTree> trees = all_trees(mesh);
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        const Rayf ray = in_float(random_ray(mesh, seed));
+        const auto expected = FloatOracle(mesh, ray).closest_hit();
+        for (const auto& [name, tree] : trees) {
+            const auto found = closest_hit(tree, ray);
+            ASSERT_TRUE(have_same_bits(found, expected))
+                << name << ", seed " << seed << "\nfound    " << text(found) << "\nexpected "
+                << text(expected);
+            ASSERT_EQ(any_hit(tree, ray), expected.has_value()) << name << ", seed " << seed;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, WideLaws, testing::ValuesIn(mesh_families()),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace boxwood
