@@ -59,6 +59,7 @@ public:
         result.cost = rows_[0][1];
         plans_[0].is_leaf = false;  // the root is a node, if only one with a single leaf
         result.memory = Arena(measure(0));
+        result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
         emit(0, 0);
         return result;
@@ -71,6 +72,7 @@ private:
     struct Plan {
         std::uint32_t count;  ///< triangles
         std::uint32_t units;  ///< of memory, where it becomes a node
+        int stack_size;       ///< likewise
         bool is_leaf;
     };
 
@@ -97,7 +99,7 @@ private:
         if (node.is_leaf()) {
             if (node.count > N)
                 throw InvalidInput("WideTree: a leaf of the tree has more triangles than a block");
-            plans_[index] = {node.count, 0, true};
+            plans_[index] = {node.count, 0, 0, true};
             row.fill(area * kBlockCost);
             return true;
         }
@@ -121,7 +123,7 @@ private:
         const float as_node = area * kNodeCost + shared[N];
         const float as_leaf =
             count <= N ? area * kBlockCost : std::numeric_limits<float>::infinity();
-        plans_[index] = {count, 0, as_leaf <= as_node};
+        plans_[index] = {count, 0, 0, as_leaf <= as_node};
         row[1] = std::min(as_leaf, as_node);
         for (int i = 2; i <= N; ++i) row[i] = std::min(row[i - 1], shared[i]);
         return true;
@@ -193,6 +195,11 @@ private:
         if (bytes / kReferenceUnit >= kLeafBit)
             throw InvalidInput("WideTree: more triangles than a wide tree can hold");
         plans_[index].units = units(bytes);
+        // A walk goes on with one child and remembers the others.
+        int deepest = 0;
+        for (int i = 0; i < children.count; ++i)
+            deepest = std::max(deepest, plans_[children.node[i]].stack_size);
+        plans_[index].stack_size = deepest + std::max(children.count, 1) - 1;
         return bytes;
     }
 

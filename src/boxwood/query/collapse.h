@@ -11,6 +11,7 @@ namespace boxwood {
 struct Collapsed {
     Arena memory;
     double cost = 0;
+    int stack_size = 0;  ///< places that a walk needs at most to remember nodes
 };
 
 /// Collapses a binary tree to nodes of 4, 8 or 16 children; see WideTree.

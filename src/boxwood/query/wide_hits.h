@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "boxwood/query/rayf.h"
 #include "boxwood/query/wide_tree.h"
@@ -17,5 +18,10 @@ std::optional<Hitf> closest_hit(const WideTree& tree, const Rayf& ray) noexcept;
 
 /// Whether anything is hit in [ray.t_min, ray.t_max].
 bool any_hit(const WideTree& tree, const Rayf& ray) noexcept;
+
+/// The same for each ray, in order. Runs on all cores; the bits don't depend on that, nor on which
+/// rays stand side by side. Throws InvalidInput when the sizes differ.
+void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits);
+void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits);
 
 }  // namespace boxwood

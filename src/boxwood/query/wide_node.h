@@ -46,6 +46,8 @@ struct alignas(4 * N) TriangleBlock {
 /// A wide tree as kernels see it. The root is at the start of the memory.
 struct WideTreeView {
     const std::byte* memory = nullptr;
+    std::size_t bytes = 0;
+    int stack_size = 0;            ///< places that a walk needs at most to remember nodes
     float lo[4] = {}, hi[4] = {};  ///< the bounds; the fourth number is idle
 
     template <int N>

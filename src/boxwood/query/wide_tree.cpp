@@ -15,6 +15,8 @@ WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& optio
     cost_ = collapsed.cost;
     bounds_ = tree.root().box;
     view_.memory = memory_.data();
+    view_.bytes = memory_.size();
+    view_.stack_size = collapsed.stack_size;
     for (int k = 0; k < 3; ++k) {
         view_.lo[k] = bounds_.lo[k];
         view_.hi[k] = bounds_.hi[k];

@@ -15,8 +15,10 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
     using Float = typename S::Float;
     if (!is_traceable(ray)) return false;
 
-    const NodeRay<S> node_ray(ray, tree.lo, tree.hi);
-    const BlockRay<S> block_ray(ray);
+    RaySetup setup;
+    setup.set<typename S::Quad>(ray, tree);
+    const NodeRay<S> node_ray(setup);
+    const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     int size = 0;

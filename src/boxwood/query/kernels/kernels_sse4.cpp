@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/core/simd_sse4.h"
-#include "boxwood/query/kernels/any_hit.h"
-#include "boxwood/query/kernels/closest_hit.h"
+#include "boxwood/query/kernels/batch.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 
 namespace boxwood {
 
 const RayKernels& sse4_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Sse4>, any_hit<Sse4>};
+    static constexpr RayKernels kKernels = {closest_hit<Sse4>, any_hit<Sse4>,
+                                            closest_hits<Sse4>, any_hits<Sse4>};
     return kKernels;
 }
 

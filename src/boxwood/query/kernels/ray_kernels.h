@@ -13,6 +13,10 @@ namespace boxwood {
 struct RayKernels {
     void (*closest_hit)(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept;
     bool (*any_hit)(const WideTreeView& tree, const Rayf& ray) noexcept;
+    void (*closest_hits)(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
+                         std::size_t count) noexcept;
+    void (*any_hits)(const WideTreeView& tree, const Rayf* rays, bool* hits,
+                     std::size_t count) noexcept;
 };
 
 // One of these a source file, compiled for that instruction set alone.

@@ -7,41 +7,32 @@
 // place, hence with exact signs. Explained in docs/algorithms/ray_triangle.md.
 #pragma once
 
-#include "boxwood/core/simd.h"
-#include "boxwood/query/rayf.h"
-#include "boxwood/query/wide_node.h"
+#include "boxwood/query/kernels/ray_setup.h"
 
 namespace boxwood {
 
 /// Below this the products that make it up have lost digits to underflow.
 constexpr float kLeastDeterminant = 0x1p-100f;
 
-/// The part of the test that depends on the ray alone; made once a ray.
+/// A ray in every lane, for triangles.
 template <class S>
 struct BlockRay {
     using Float = typename S::Float;
 
-    int kx, ky, kz;     ///< axes, renamed so that |direction[kz]| is largest
-    Float ox, oy, oz;   ///< the origin
-    Float sx, sy, sz;   ///< the shear
-    Float t_min;
+    std::uint32_t kx, ky, kz;
+    Float ox, oy, oz, sx, sy, sz, t_min;
 
-    explicit BOXWOOD_KERNEL BlockRay(const Rayf& ray) {
-        const float x = __builtin_fabsf(ray.direction[0]), y = __builtin_fabsf(ray.direction[1]),
-                    z = __builtin_fabsf(ray.direction[2]);
-        kz = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        kx = kz == 2 ? 0 : kz + 1;
-        ky = kx == 2 ? 0 : kx + 1;
-        const float along = ray.direction[kz];
-        ox = S::broadcast(ray.origin[kx]);
-        oy = S::broadcast(ray.origin[ky]);
-        oz = S::broadcast(ray.origin[kz]);
-        const float inverse = 1 / along;
-        sx = S::broadcast(ray.direction[kx] * inverse);
-        sy = S::broadcast(ray.direction[ky] * inverse);
-        sz = S::broadcast(inverse);
-        t_min = S::broadcast(ray.t_min);
-    }
+    explicit BOXWOOD_KERNEL BlockRay(const RaySetup& ray)
+        : kx(ray.kx),
+          ky(ray.ky),
+          kz(ray.kz),
+          ox(S::broadcast(ray.ox)),
+          oy(S::broadcast(ray.oy)),
+          oz(S::broadcast(ray.oz)),
+          sx(S::broadcast(ray.sx)),
+          sy(S::broadcast(ray.sy)),
+          sz(S::broadcast(ray.sz)),
+          t_min(S::broadcast(ray.t_min)) {}
 };
 
 /// Which lanes of a block are hit within [t_min, t_max], and where: t, and the weights of the

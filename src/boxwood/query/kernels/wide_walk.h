@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "boxwood/core/simd.h"
-#include "boxwood/query/rayf.h"
-#include "boxwood/query/wide_node.h"
+#include <cstddef>
 
 namespace boxwood {
 
@@ -12,16 +10,11 @@ constexpr int kStackSize = 4096;
 /// Vectors are stored whole, so there is room for one beyond the end.
 constexpr int kStackSlack = 16;
 
-/// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite, its
-/// direction has its largest coordinate outside [2^-60, 2^60], or not t_min <= t_max.
-BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
-    float length = 0, sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float size = __builtin_fabsf(ray.direction[k]);
-        if (size > length) length = size;
-        sum += 0 * ray.origin[k] + 0 * ray.direction[k];  // NaN unless all are finite
-    }
-    return sum == 0 && length >= 0x1p-60f && length <= 0x1p60f && ray.t_min <= ray.t_max;
-}
+/// The same where many rays have a stack each; trees that need more are walked ray by ray.
+constexpr int kWavefrontStack = 256;
+/// Fewer rays than this are no faster together.
+constexpr std::size_t kFewRays = 8;
+/// Trees beyond this many bytes don't stay in the caches, so what comes next is fetched ahead.
+constexpr std::size_t kLargeTree = std::size_t{24} << 20;
 
 }  // namespace boxwood

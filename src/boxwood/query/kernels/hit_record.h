@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "boxwood/query/kernels/triangle_block.h"
+
+namespace boxwood {
+
+/// The closest hit so far, and what is worked out of it only once it is final.
+template <class S>
+struct ClosestHit {
+    static constexpr int N = S::kWidth;
+
+    float t;
+    std::uint32_t triangle = Hitf::kNone;
+    const TriangleBlock<N>* block = nullptr;
+    int lane = 0;
+    alignas(4 * N) float v[N];
+    alignas(4 * N) float w[N];
+    alignas(4 * N) float determinant[N];
+
+    /// Keeps the best of the lanes if it is closer: equal distances go to the lower triangle.
+    /// Returns whether it was.
+    BOXWOOD_KERNEL bool offer(const TriangleBlock<N>& candidates, const BlockHit<S>& hit) {
+        const float least = S::least(hit.mask, hit.t);
+        const int first =
+            __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
+        if (least == t && candidates.triangle[first] >= triangle) return false;
+        t = least;
+        triangle = candidates.triangle[first];
+        block = &candidates;
+        lane = first;
+        S::store(v, hit.v);
+        S::store(w, hit.w);
+        S::store(determinant, hit.determinant);
+        return true;
+    }
+
+    BOXWOOD_KERNEL void write(Hitf& result) const {
+        if (triangle == Hitf::kNone) {
+            result = {};
+            return;
+        }
+        const auto corner = [&](int i, int k) { return block->corner[i][k][lane]; };
+        float ab[3], ac[3];
+        for (int k = 0; k < 3; ++k) {
+            ab[k] = corner(1, k) - corner(0, k);
+            ac[k] = corner(2, k) - corner(0, k);
+        }
+        // Adding 0 turns -0 into 0: which of them it is depends on who was the first of equals.
+        result.t = t + 0;
+        result.u = v[lane] / determinant[lane] + 0;
+        result.v = w[lane] / determinant[lane] + 0;
+        result.triangle = triangle;
+        for (int k = 0; k < 3; ++k) {
+            const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+            result.normal[k] = ab[i] * ac[j] - ab[j] * ac[i];
+        }
+    }
+};
+
+}  // namespace boxwood

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "boxwood/core/simd.h"
+#include "boxwood/query/rayf.h"
+#include "boxwood/query/wide_node.h"
+
+namespace boxwood {
+
+/// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite, its
+/// direction has its largest coordinate outside [2^-60, 2^60], or not t_min <= t_max.
+BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
+    float length = 0, sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float size = __builtin_fabsf(ray.direction[k]);
+        if (size > length) length = size;
+        sum += 0 * ray.origin[k] + 0 * ray.direction[k];  // NaN unless all are finite
+    }
+    return sum == 0 && length >= 0x1p-60f && length <= 0x1p60f && ray.t_min <= ray.t_max;
+}
+
+/// Of the first three lanes.
+template <class Quad>
+BOXWOOD_KERNEL float largest(typename Quad::Float x) {
+    alignas(16) float lane[4];
+    Quad::store(lane, x);
+    const float xy = lane[0] > lane[1] ? lane[0] : lane[1];
+    return xy > lane[2] ? xy : lane[2];
+}
+
+/// All that the tests against boxes and triangles need of a ray, worked out once.
+struct RaySetup {
+    // For boxes; the fourth numbers are idle.
+    alignas(16) float inverse[4];    ///< of the direction
+    alignas(16) float near_term[4];  ///< a near face at p is reached at p * inverse + near_term
+    alignas(16) float far_term[4];
+    std::uint32_t octant;  ///< bit k says that the direction is negative along axis k
+
+    // For triangles.
+    std::uint32_t kx, ky, kz;  ///< axes, renamed so that |direction[kz]| is largest
+    float ox, oy, oz;          ///< the origin along them
+    float sx, sy, sz;          ///< the shear
+    float t_min;
+
+    /// Where in a node of N children the faces along axis k are that the ray meets first and last,
+    /// in floats.
+    template <int N>
+    BOXWOOD_KERNEL std::size_t near_faces(int k) const {
+        return (2 * k + (octant >> k & 1)) * N;
+    }
+    template <int N>
+    BOXWOOD_KERNEL std::size_t far_faces(int k) const {
+        return (2 * k + 1 - (octant >> k & 1)) * N;
+    }
+
+    /// Precondition: is_traceable(ray).
+    template <class Quad>
+    BOXWOOD_KERNEL void set(const Rayf& ray, const WideTreeView& tree) {
+        const auto origin = Quad::load_unaligned(ray.origin);
+        const auto direction = Quad::load_unaligned(ray.direction);
+        // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
+        // the ray by less than the rounding does not.
+        const auto size = Quad::abs(direction);
+        const auto tiny = Quad::broadcast(0x1p-40f * largest<Quad>(size));
+        const auto reciprocal =
+            Quad::broadcast(1) / Quad::copy_sign(Quad::max(size, tiny), direction);
+
+        // The origin is moved outward by a bound on all rounding: see docs/algorithms/ray_box.md.
+        const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
+        const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
+        const float reach = largest<Quad>(Quad::max(to_lo, to_hi));
+        const float rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin)));
+        const auto outward = Quad::copy_sign(Quad::broadcast(rounding), direction);
+        Quad::store(inverse, reciprocal);
+        Quad::store(near_term, -((origin + outward) * reciprocal));
+        Quad::store(far_term, -((origin - outward) * reciprocal));
+        octant = Quad::signs(direction) & 7;
+
+        const float x = __builtin_fabsf(ray.direction[0]), y = __builtin_fabsf(ray.direction[1]),
+                    z = __builtin_fabsf(ray.direction[2]);
+        kz = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        ox = ray.origin[kx];
+        oy = ray.origin[ky];
+        oz = ray.origin[kz];
+        sz = inverse[kz];
+        sx = ray.direction[kx] * sz;
+        sy = ray.direction[ky] * sz;
+        t_min = ray.t_min;
+    }
+};
+
+}  // namespace boxwood

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many rays, a few dozen of them at a time. One ray alone keeps a core waiting: for a box before it
+// knows which child is next, for the memory that holds it, for a branch that nobody could predict.
+// So kRaysInFlight rays each take one step in turn, a node or a block, and which of these it is
+// decides on which list a ray stands next, without a branch. A ray that is done makes room for the
+// next. Explained in docs/algorithms/wavefront.md.
+// Sources: Wald et al., "Wavefront path tracing" of Laine, Karras and Aila, "Megakernels Considered
+// Harmful", HPG 2013; Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", 2014.
+#pragma once
+
+#include <type_traits>
+
+#include "boxwood/query/kernels/hit_record.h"
+#include "boxwood/query/kernels/node_ray.h"
+#include "boxwood/query/kernels/triangle_block.h"
+#include "boxwood/query/kernels/wide_walk.h"
+
+namespace boxwood {
+
+constexpr int kRaysInFlight = 40;
+
+/// What is below everything else on the stack of a ray: nothing is left to visit.
+constexpr WideReference kDone = 0xffffffffu;
+
+template <class S>
+struct WavefrontRay {
+    static constexpr int N = S::kWidth;
+
+    RaySetup setup;
+    WideReference current;
+    int size;  ///< of the stack; its first N places hold kDone
+    std::size_t index;
+    ClosestHit<S> closest;
+    alignas(64) std::uint32_t references[kWavefrontStack + 2 * kStackSlack];
+    alignas(64) float distances[kWavefrontStack + 2 * kStackSlack];
+};
+
+template <class S, bool kAnyHit, bool kPrefetch>
+class Wavefront {
+public:
+    static constexpr int N = S::kWidth;
+    using Result = std::conditional_t<kAnyHit, bool, Hitf>;
+
+    BOXWOOD_KERNEL Wavefront(const WideTreeView& tree, const Rayf* rays, Result* results,
+                             std::size_t count)
+        : tree_(tree), rays_(rays), results_(results), count_(count) {}
+
+    BOXWOOD_KERNEL void run() {
+        List nodes, blocks, done;
+        for (int i = 0; i < kRaysInFlight && next_ < count_; ++i) {
+            for (int k = 0; k < N; ++k) {
+                slots_[i].references[k] = kDone;
+                slots_[i].distances[k] = -__builtin_inff();
+            }
+            if (start_next(slots_[i])) nodes.append(i);
+        }
+        while (nodes.size + blocks.size > 0) {
+            List next_nodes, next_blocks;
+            done.size = 0;
+            const auto file = [&](int i, WideReference reference) {
+                if (kPrefetch) prefetch(reference);
+                slots_[i].current = reference;
+                const int leaf = reference >> 31, last = reference == kDone;
+                next_nodes.append_if(i, leaf ^ 1);
+                next_blocks.append_if(i, leaf & (last ^ 1));
+                done.append_if(i, last);
+            };
+            for (int k = 0; k < nodes.size; ++k)
+                file(nodes.slot[k], visit_node(slots_[nodes.slot[k]]));
+            for (int k = 0; k < blocks.size; ++k)
+                file(blocks.slot[k], visit_block(slots_[blocks.slot[k]]));
+            for (int k = 0; k < done.size; ++k) {
+                const int i = done.slot[k];
+                finish(slots_[i]);
+                if (start_next(slots_[i])) next_nodes.append(i);
+            }
+            nodes = next_nodes;
+            blocks = next_blocks;
+        }
+    }
+
+private:
+    using Float = typename S::Float;
+    using Slot = WavefrontRay<S>;
+
+    struct List {
+        int size = 0;
+        std::uint8_t slot[kRaysInFlight + 1];
+
+        BOXWOOD_KERNEL void append(int i) { slot[size++] = static_cast<std::uint8_t>(i); }
+        BOXWOOD_KERNEL void append_if(int i, int condition) {
+            slot[size] = static_cast<std::uint8_t>(i);
+            size += condition;
+        }
+    };
+
+    /// Puts the next ray that has to look at all into the slot.
+    BOXWOOD_KERNEL bool start_next(Slot& slot) {
+        while (next_ < count_) {
+            const std::size_t i = next_++;
+            if (!is_traceable(rays_[i])) {
+                results_[i] = {};
+                continue;
+            }
+            slot.setup.template set<typename S::Quad>(rays_[i], tree_);
+            slot.current = 0;
+            slot.size = N;
+            slot.index = i;
+            slot.closest.t = rays_[i].t_max;
+            slot.closest.triangle = Hitf::kNone;
+            return true;
+        }
+        return false;
+    }
+
+    BOXWOOD_KERNEL void finish(const Slot& slot) {
+        if constexpr (kAnyHit) {
+            results_[slot.index] = slot.closest.triangle != Hitf::kNone;
+        } else {
+            slot.closest.write(results_[slot.index]);
+        }
+    }
+
+    /// Drops what lies behind the closest hit from the top of the stack.
+    BOXWOOD_KERNEL int drop_hidden(const Slot& slot) {
+        int size = slot.size;
+        for (;;) {
+            const unsigned kept =
+                S::less_equal(S::load_unaligned(slot.distances + size - N),
+                              S::broadcast(slot.closest.t));
+            if (__builtin_expect(kept != 0, 1)) return size - N + 32 - __builtin_clz(kept);
+            size -= N;
+        }
+    }
+
+    BOXWOOD_KERNEL WideReference visit_node(Slot& slot) {
+        int size = kAnyHit ? slot.size : drop_hidden(slot);
+        const WideNode<N>& node = tree_.template node<N>(slot.current);
+        Float enter, leave;
+        NodeRay<S>(slot.setup).intersect(node, S::broadcast(slot.closest.t), enter, leave);
+        auto child = S::load(node.child);
+        if constexpr (!kAnyHit) {
+            const auto order = S::order(node.order, static_cast<int>(slot.setup.octant));
+            enter = S::permute(enter, order);
+            leave = S::permute(leave, order);
+            child = S::permute(child, order);
+        }
+        const unsigned hit = S::less_equal(enter, leave);
+        S::store_unaligned(slot.references + size, S::compress(hit, child));
+        if constexpr (!kAnyHit)
+            S::store_unaligned(slot.distances + size, S::compress(hit, enter));
+        size += __builtin_popcount(hit) - 1;
+        slot.size = size;
+        return slot.references[size];
+    }
+
+    BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
+        const TriangleBlock<N>& block = tree_.template block<N>(slot.current);
+        const BlockHit<S> hit =
+            intersect<S>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
+        if constexpr (kAnyHit) {
+            if (hit.mask != 0) {
+                slot.closest.triangle = 0;
+                return kDone;
+            }
+        } else {
+            if (hit.mask != 0) slot.closest.offer(block, hit);
+            slot.size = drop_hidden(slot);
+        }
+        return slot.references[--slot.size];
+    }
+
+    BOXWOOD_KERNEL void prefetch(WideReference reference) const {
+        // The root, where there is nothing left.
+        const WideReference used = reference == kDone ? 0 : reference;
+        const std::byte* memory = tree_.memory + byte_offset(used);
+        for (std::size_t line = 0; line < sizeof(TriangleBlock<N>); line += 64)
+            __builtin_prefetch(memory + line);
+    }
+
+    const WideTreeView& tree_;
+    const Rayf* rays_;
+    Result* results_;
+    std::size_t count_;
+    std::size_t next_ = 0;
+    Slot slots_[kRaysInFlight];
+};
+
+}  // namespace boxwood
