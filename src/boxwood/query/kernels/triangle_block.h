@@ -65,7 +65,7 @@ BOXWOOD_KERNEL typename S::Float difference_of_products(typename S::Float a, typ
     return S::fused(a, b, -cd) + S::fused(-c, d, cd);
 }
 
-template <class S>
+template <class S, bool kEarlyOut = true>
 BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
                                      typename S::Float t_max) {
     using Float = typename S::Float;
@@ -81,7 +81,7 @@ BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, cons
     };
     BlockHit<S> hit;
     hit.mask = inside();
-    if (hit.mask == 0) return hit;
+    if (kEarlyOut && hit.mask == 0) return hit;
 
     u = difference_of_products<S>(c.x, b.y, c.y, b.x, cy_bx);
     v = difference_of_products<S>(a.x, c.y, a.y, c.x, ay_cx);

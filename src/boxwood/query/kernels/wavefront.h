@@ -46,33 +46,40 @@ public:
         : tree_(tree), rays_(rays), results_(results), count_(count) {}
 
     BOXWOOD_KERNEL void run() {
-        List nodes, blocks, done;
+        // Lists of slots. The sizes are apart from them so that they stay in registers.
+        std::uint16_t lists[2][2][kRaysInFlight + 1];
+        std::uint16_t done[kRaysInFlight + 1];
+        int nodes = 0, blocks = 0;
         for (int i = 0; i < kRaysInFlight && next_ < count_; ++i) {
             for (int k = 0; k < N; ++k) {
                 slots_[i].references[k] = kDone;
                 slots_[i].distances[k] = -__builtin_inff();
             }
-            if (start_next(slots_[i])) nodes.append(i);
+            lists[0][0][nodes] = static_cast<std::uint16_t>(i);
+            nodes += start_next(slots_[i]);
         }
-        while (nodes.size + blocks.size > 0) {
-            List next_nodes, next_blocks;
-            done.size = 0;
-            const auto file = [&](int i, WideReference reference) {
+        for (int round = 0; nodes + blocks > 0; round ^= 1) {
+            const std::uint16_t *node_list = lists[round][0], *block_list = lists[round][1];
+            std::uint16_t *next_node_list = lists[round ^ 1][0],
+                          *next_block_list = lists[round ^ 1][1];
+            int next_nodes = 0, next_blocks = 0, finished = 0;
+            // All three places are written; the one that counts is kept.
+            const auto file = [&](std::uint16_t i, WideReference reference) {
                 if (kPrefetch) prefetch(reference);
                 slots_[i].current = reference;
+                next_node_list[next_nodes] = next_block_list[next_blocks] = done[finished] = i;
                 const int leaf = reference >> 31, last = reference == kDone;
-                next_nodes.append_if(i, leaf ^ 1);
-                next_blocks.append_if(i, leaf & (last ^ 1));
-                done.append_if(i, last);
+                next_nodes += leaf ^ 1;
+                next_blocks += leaf ^ last;
+                finished += last;
             };
-            for (int k = 0; k < nodes.size; ++k)
-                file(nodes.slot[k], visit_node(slots_[nodes.slot[k]]));
-            for (int k = 0; k < blocks.size; ++k)
-                file(blocks.slot[k], visit_block(slots_[blocks.slot[k]]));
-            for (int k = 0; k < done.size; ++k) {
-                const int i = done.slot[k];
-                finish(slots_[i]);
-                if (start_next(slots_[i])) next_nodes.append(i);
+            for (int k = 0; k < nodes; ++k) file(node_list[k], visit_node(slots_[node_list[k]]));
+            for (int k = 0; k < blocks; ++k)
+                file(block_list[k], visit_block(slots_[block_list[k]]));
+            for (int k = 0; k < finished; ++k) {
+                finish(slots_[done[k]]);
+                next_node_list[next_nodes] = done[k];
+                next_nodes += start_next(slots_[done[k]]);
             }
             nodes = next_nodes;
             blocks = next_blocks;
@@ -82,17 +89,6 @@ public:
 private:
     using Float = typename S::Float;
     using Slot = WavefrontRay<S>;
-
-    struct List {
-        int size = 0;
-        std::uint8_t slot[kRaysInFlight + 1];
-
-        BOXWOOD_KERNEL void append(int i) { slot[size++] = static_cast<std::uint8_t>(i); }
-        BOXWOOD_KERNEL void append_if(int i, int condition) {
-            slot[size] = static_cast<std::uint8_t>(i);
-            size += condition;
-        }
-    };
 
     /// Puts the next ray that has to look at all into the slot.
     BOXWOOD_KERNEL bool start_next(Slot& slot) {
@@ -157,7 +153,7 @@ private:
     BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
         const TriangleBlock<N>& block = tree_.template block<N>(slot.current);
         const BlockHit<S> hit =
-            intersect<S>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
+            intersect<S, false>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
         if constexpr (kAnyHit) {
             if (hit.mask != 0) {
                 slot.closest.triangle = 0;
