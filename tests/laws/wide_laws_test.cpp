@@ -3,7 +3,10 @@
 // instruction set that this machine has.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <memory>
 
 #include "boxwood/query/wide_hits.h"
 #include "laws/accelerators.h"
@@ -71,6 +74,52 @@ TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
                 << name << ", seed " << seed << "\nfound    " << text(found) << "\nexpected "
                 << text(expected);
             ASSERT_EQ(any_hit(tree, ray), expected.has_value()) << name << ", seed " << seed;
+        }
+    }
+}
+
+/// Rays of all sorts, with tiles of a camera among them, so that every kernel has its share.
+std::vector<Rayf> many_rays(const TriangleMesh& mesh) {
+    std::vector<Rayf> rays;
+    for (std::uint64_t seed = 0; seed < 300; ++seed)
+        rays.push_back(in_float(random_ray(mesh, seed)));
+    for (std::uint64_t seed = 1000; seed < 1012; ++seed) {
+        // A tile of 16 x 16 rays about a ray, in packets of 4 x 4.
+        const Rayf center = in_float(random_ray(mesh, seed));
+        const float step = 0.002f * static_cast<float>(1 + seed % 4);
+        for (int i = 0; i < 256; ++i) {
+            const int packet = i / 16, lane = i % 16;
+            const int x = packet % 4 * 4 + lane % 4, y = packet / 4 * 4 + lane / 4;
+            Rayf ray = center;
+            const float size = std::max({std::fabs(ray.direction[0]), std::fabs(ray.direction[1]),
+                                         std::fabs(ray.direction[2])});
+            ray.direction[seed % 3] += step * static_cast<float>(x - 8) * size;
+            ray.direction[(seed + 1) % 3] += step * static_cast<float>(y - 8) * size;
+            rays.push_back(ray);
+        }
+    }
+    for (std::uint64_t seed = 300; seed < 500; ++seed)
+        rays.push_back(in_float(random_ray(mesh, seed)));
+    return rays;
+}
+
+TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
+    const TriangleMesh mesh = GetParam().make();
+    const std::vector<Rayf> rays = many_rays(mesh);
+    std::vector<std::optional<Hitf>> expected;
+    for (const Rayf& ray : rays) expected.push_back(FloatOracle(mesh, ray).closest_hit());
+    for (const auto& [name, tree] : all_trees(mesh)) {
+        for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{64}, rays.size()}) {
+            std::vector<Hitf> hits(count);
+            const std::unique_ptr<bool[]> any(new bool[count]);
+            closest_hits(tree, std::span(rays).first(count), hits);
+            any_hits(tree, std::span(rays).first(count), {any.get(), count});
+            for (std::size_t i = 0; i < count; ++i) {
+                ASSERT_TRUE(have_same_bits(hits[i], expected[i].value_or(Hitf{})))
+                    << name << ", ray " << i << " of " << count << "\nfound    " << text(hits[i])
+                    << "\nexpected " << text(expected[i]);
+                ASSERT_EQ(any[i], expected[i].has_value()) << name << ", ray " << i;
+            }
         }
     }
 }

@@ -14,6 +14,9 @@
 //   compress(mask, x)             the lanes of the mask moved together to the front
 //   order(packed, octant)         reads a permutation from a node, see query/wide_node.h
 //   permute(x, order)             lane i becomes lane order[i]
+//   select(mask, a, b)            lanes of a where the mask is set, else of b
+//   store_masked(mask, p, x)      x into the lanes of the mask
+//   greatest(x)                   the greatest lane
 //   least(mask, x)                the least lane of the mask, which isn't empty
 //   Quad                          the struct for four lanes, for the coordinates of one ray; it has
 //                                 abs(x), copy_sign(size, sign) for a size >= 0, signs(x) besides

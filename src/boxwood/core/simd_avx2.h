@@ -65,6 +65,14 @@ struct Avx2 {
         return _mm256_permutevar8x32_epi32(x, order);
     }
 
+    static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
+        return _mm256_blendv_ps(b, a, _mm256_castsi256_ps(mask_of(mask)));
+    }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
+        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    }
+
+    static BOXWOOD_KERNEL float greatest(Float x) { return -least((1u << kWidth) - 1, -x); }
     static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
         alignas(32) float lane[kWidth];
         store(lane, x);
@@ -77,6 +85,11 @@ struct Avx2 {
     }
 
 private:
+    static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
+        const Int lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+        return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), lane),
+                                 lane);
+    }
     static BOXWOOD_KERNEL unsigned bits(__m256 mask) {
         return static_cast<unsigned>(_mm256_movemask_ps(mask));
     }

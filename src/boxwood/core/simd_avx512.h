@@ -64,6 +64,15 @@ struct Avx512 {
         return _mm512_permutexvar_epi32(order, x);
     }
 
+    static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
+        return _mm512_mask_blend_ps(static_cast<__mmask16>(mask), b, a);
+    }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
+        _mm512_mask_store_epi32(p, static_cast<__mmask16>(mask),
+                                _mm512_set1_epi32(static_cast<int>(x)));
+    }
+
+    static BOXWOOD_KERNEL float greatest(Float x) { return _mm512_reduce_max_ps(x); }
     static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
         return _mm512_mask_reduce_min_ps(static_cast<__mmask16>(mask), x);
     }

@@ -106,6 +106,20 @@ struct Scalar {
         return Lanes<T>::map([&](int i) { return x.lane[order.lane[i]]; });
     }
 
+    static Float select(unsigned mask, const Float& a, const Float& b) {
+        return Float::map([&](int i) { return mask >> i & 1 ? a.lane[i] : b.lane[i]; });
+    }
+    static void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
+        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    }
+
+    static float greatest(const Float& x) {
+        float greatest = x.lane[0];
+        for (int i = 1; i < kWidth; ++i) {
+            if (greatest < x.lane[i]) greatest = x.lane[i];
+        }
+        return greatest;
+    }
     static float least(unsigned mask, const Float& x) {
         float least = x.lane[__builtin_ctz(mask)];
         for (int i = 0; i < kWidth; ++i) {

@@ -71,6 +71,14 @@ struct Sse4 {
             x, _mm_add_epi8(_mm_slli_epi32(first, 2), _mm_set1_epi32(0x03020100)));
     }
 
+    static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
+        return _mm_blendv_ps(b, a, _mm_castsi128_ps(mask_of(mask)));
+    }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
+        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    }
+
+    static BOXWOOD_KERNEL float greatest(Float x) { return -least((1u << kWidth) - 1, -x); }
     static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
         alignas(16) float lane[kWidth];
         store(lane, x);
@@ -83,6 +91,11 @@ struct Sse4 {
     }
 
 private:
+    static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
+        const Int lane = _mm_setr_epi32(1, 2, 4, 8);
+        return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(mask)), lane),
+                                 lane);
+    }
     static BOXWOOD_KERNEL unsigned bits(__m128 mask) {
         return static_cast<unsigned>(_mm_movemask_ps(mask));
     }

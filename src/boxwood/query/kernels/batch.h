@@ -4,13 +4,15 @@
 
 #include "boxwood/query/kernels/any_hit.h"
 #include "boxwood/query/kernels/closest_hit.h"
+#include "boxwood/query/kernels/frustum.h"
 #include "boxwood/query/kernels/wavefront.h"
 
 namespace boxwood {
 
+/// Rays that have no more in common than that they are asked for together.
 template <class S>
-void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
-                  std::size_t count) noexcept {
+BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
+                                        std::size_t count) {
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
         for (std::size_t i = 0; i < count; ++i) closest_hit<S>(tree, rays[i], hits[i]);
     } else if (tree.bytes > kLargeTree) {
@@ -18,6 +20,28 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
     } else {
         Wavefront<S, false, false>(tree, rays, hits, count).run();
     }
+}
+
+/// Whether rays may well be a group: those at both ends start at one point.
+BOXWOOD_KERNEL bool share_origin(const Rayf& a, const Rayf& b) {
+    return (a.origin[0] == b.origin[0]) & (a.origin[1] == b.origin[1]) &
+           (a.origin[2] == b.origin[2]);
+}
+
+template <class S>
+void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
+                  std::size_t count) noexcept {
+    constexpr std::size_t kGroup = Frustum<S>::kRays;
+    Frustum<S> frustum(tree);
+    std::size_t begin = 0;  // of the rays that were passed over
+    for (std::size_t i = 0; i + kGroup <= count; i += kGroup) {
+        if (!share_origin(rays[i], rays[i + kGroup - 1]) || !frustum.load(rays + i)) continue;
+        closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
+        frustum.run();
+        frustum.write(hits + i);
+        begin = i + kGroup;
+    }
+    closest_hits_of_any<S>(tree, rays + begin, hits + begin, count - begin);
 }
 
 template <class S>

@@ -34,6 +34,7 @@ struct RaySetup {
     alignas(16) float inverse[4];    ///< of the direction
     alignas(16) float near_term[4];  ///< a near face at p is reached at p * inverse + near_term
     alignas(16) float far_term[4];
+    float rounding;        ///< by which boxes are moved outward
     std::uint32_t octant;  ///< bit k says that the direction is negative along axis k
 
     // For triangles.
@@ -69,7 +70,7 @@ struct RaySetup {
         const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
         const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
         const float reach = largest<Quad>(Quad::max(to_lo, to_hi));
-        const float rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin)));
+        rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin)));
         const auto outward = Quad::copy_sign(Quad::broadcast(rounding), direction);
         Quad::store(inverse, reciprocal);
         Quad::store(near_term, -((origin + outward) * reciprocal));

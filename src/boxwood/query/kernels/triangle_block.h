@@ -46,13 +46,16 @@ struct BlockHit {
 /// A corner moved to the ray's origin and sheared so that the ray is the z axis; z is left unscaled.
 template <class S>
 struct ShearedCorner {
-    typename S::Float x, y, z;
+    using Float = typename S::Float;
 
-    BOXWOOD_KERNEL ShearedCorner(const float (&corner)[3][S::kWidth], const BlockRay<S>& ray) {
-        z = S::load(corner[ray.kz]) - ray.oz;
-        x = (S::load(corner[ray.kx]) - ray.ox) - ray.sx * z;
-        y = (S::load(corner[ray.ky]) - ray.oy) - ray.sy * z;
-    }
+    Float x, y, z;
+
+    /// The corner's place from the origin, along kx, ky and kz.
+    BOXWOOD_KERNEL ShearedCorner(Float from_x, Float from_y, Float from_z, Float sx, Float sy)
+        : x(from_x - sx * from_z), y(from_y - sy * from_z), z(from_z) {}
+    BOXWOOD_KERNEL ShearedCorner(const float (&corner)[3][S::kWidth], const BlockRay<S>& ray)
+        : ShearedCorner(S::load(corner[ray.kx]) - ray.ox, S::load(corner[ray.ky]) - ray.oy,
+                        S::load(corner[ray.kz]) - ray.oz, ray.sx, ray.sy) {}
 };
 
 /// a b - c d with an error of at most 1.5 units in the last place, given c d rounded.
@@ -65,14 +68,13 @@ BOXWOOD_KERNEL typename S::Float difference_of_products(typename S::Float a, typ
     return S::fused(a, b, -cd) + S::fused(-c, d, cd);
 }
 
+/// The test proper; in each lane a ray and a triangle. With kEarlyOut it branches where all miss.
 template <class S, bool kEarlyOut = true>
-BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
-                                     typename S::Float t_max) {
+BOXWOOD_KERNEL BlockHit<S> intersect(const ShearedCorner<S>& a, const ShearedCorner<S>& b,
+                                     const ShearedCorner<S>& c, typename S::Float sz,
+                                     typename S::Float t_min, typename S::Float t_max) {
     using Float = typename S::Float;
-    const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
-        c(block.corner[2], ray);
     const Float zero = S::broadcast(0);
-
     const Float cy_bx = c.y * b.x, ay_cx = a.y * c.x, by_ax = b.y * a.x;
     Float u = c.x * b.y - cy_bx, v = a.x * c.y - ay_cx, w = b.x * a.y - by_ax;
     const auto inside = [&] {
@@ -91,12 +93,21 @@ BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, cons
     hit.mask &= inside() & S::less_equal(least, S::max(determinant, -determinant));
 
     // The weights have one sign, so this is a mean of the corners' distances, not a cancellation.
-    hit.t = ((u * (ray.sz * a.z) + v * (ray.sz * b.z)) + w * (ray.sz * c.z)) / determinant;
-    hit.mask &= S::less_equal(ray.t_min, hit.t) & S::less_equal(hit.t, t_max);
+    hit.t = ((u * (sz * a.z) + v * (sz * b.z)) + w * (sz * c.z)) / determinant;
+    hit.mask &= S::less_equal(t_min, hit.t) & S::less_equal(hit.t, t_max);
     hit.v = v;
     hit.w = w;
     hit.determinant = determinant;
     return hit;
+}
+
+/// One ray and the triangles of a block.
+template <class S, bool kEarlyOut = true>
+BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
+                                     typename S::Float t_max) {
+    const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
+        c(block.corner[2], ray);
+    return intersect<S, kEarlyOut>(a, b, c, ray.sz, ray.t_min, t_max);
 }
 
 }  // namespace boxwood
