@@ -14,6 +14,9 @@
 //   compress(mask, x)             the lanes of the mask moved together to the front
 //   order(packed, octant)         reads a permutation from a node, see query/wide_node.h
 //   permute(x, order)             lane i becomes lane order[i]
+//   load_records(p, field)        kWidth records of eight floats, as eight vectors of a field each
+//   store_records(p, field)       the way back
+//   as_float(x)                   the bits of integers as floats
 //   select(mask, a, b)            lanes of a where the mask is set, else of b
 //   store_masked(mask, p, x)      x into the lanes of the mask
 //   greatest(x)                   the greatest lane

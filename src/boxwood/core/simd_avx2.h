@@ -65,6 +65,17 @@ struct Avx2 {
         return _mm256_permutevar8x32_epi32(x, order);
     }
 
+    static BOXWOOD_KERNEL Float as_float(Int x) { return _mm256_castsi256_ps(x); }
+
+    static BOXWOOD_KERNEL void load_records(const float* p, Float (&field)[8]) {
+        for (int i = 0; i < 8; ++i) field[i] = _mm256_loadu_ps(p + 8 * i);
+        transpose(field);
+    }
+    static BOXWOOD_KERNEL void store_records(float* p, Float (&field)[8]) {
+        transpose(field);
+        for (int i = 0; i < 8; ++i) _mm256_storeu_ps(p + 8 * i, field[i]);
+    }
+
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm256_blendv_ps(b, a, _mm256_castsi256_ps(mask_of(mask)));
     }
@@ -85,6 +96,23 @@ struct Avx2 {
     }
 
 private:
+    static BOXWOOD_KERNEL void transpose(Float (&row)[8]) {
+        Float pair[8], quad[8];
+        for (int i = 0; i < 8; i += 2) {
+            pair[i] = _mm256_unpacklo_ps(row[i], row[i + 1]);
+            pair[i + 1] = _mm256_unpackhi_ps(row[i], row[i + 1]);
+        }
+        for (int i = 0; i < 8; i += 4) {
+            quad[i] = _mm256_shuffle_ps(pair[i], pair[i + 2], _MM_SHUFFLE(1, 0, 1, 0));
+            quad[i + 1] = _mm256_shuffle_ps(pair[i], pair[i + 2], _MM_SHUFFLE(3, 2, 3, 2));
+            quad[i + 2] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], _MM_SHUFFLE(1, 0, 1, 0));
+            quad[i + 3] = _mm256_shuffle_ps(pair[i + 1], pair[i + 3], _MM_SHUFFLE(3, 2, 3, 2));
+        }
+        for (int i = 0; i < 4; ++i) {
+            row[i] = _mm256_permute2f128_ps(quad[i], quad[i + 4], 0x20);
+            row[i + 4] = _mm256_permute2f128_ps(quad[i], quad[i + 4], 0x31);
+        }
+    }
     static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
         const Int lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
         return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), lane),

@@ -64,6 +64,22 @@ struct Avx512 {
         return _mm512_permutexvar_epi32(order, x);
     }
 
+    static BOXWOOD_KERNEL Float as_float(Int x) { return _mm512_castsi512_ps(x); }
+
+    static BOXWOOD_KERNEL void load_records(const float* p, Float (&field)[8]) {
+        for (int i = 0; i < 8; ++i)
+            field[i] = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_loadu_ps(p + 8 * i)),
+                                          _mm256_loadu_ps(p + 64 + 8 * i), 1);
+        transpose(field);
+    }
+    static BOXWOOD_KERNEL void store_records(float* p, Float (&field)[8]) {
+        transpose(field);
+        for (int i = 0; i < 8; ++i) {
+            _mm256_storeu_ps(p + 8 * i, _mm512_castps512_ps256(field[i]));
+            _mm256_storeu_ps(p + 64 + 8 * i, _mm512_extractf32x8_ps(field[i], 1));
+        }
+    }
+
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm512_mask_blend_ps(static_cast<__mmask16>(mask), b, a);
     }
@@ -75,6 +91,29 @@ struct Avx512 {
     static BOXWOOD_KERNEL float greatest(Float x) { return _mm512_reduce_max_ps(x); }
     static BOXWOOD_KERNEL float least(unsigned mask, Float x) {
         return _mm512_mask_reduce_min_ps(static_cast<__mmask16>(mask), x);
+    }
+
+private:
+    /// Two squares of 8 x 8, side by side, about their diagonals.
+    static BOXWOOD_KERNEL void transpose(Float (&row)[8]) {
+        Float pair[8], quad[8];
+        for (int i = 0; i < 8; i += 2) {
+            pair[i] = _mm512_unpacklo_ps(row[i], row[i + 1]);
+            pair[i + 1] = _mm512_unpackhi_ps(row[i], row[i + 1]);
+        }
+        for (int i = 0; i < 8; i += 4) {
+            quad[i] = _mm512_shuffle_ps(pair[i], pair[i + 2], _MM_SHUFFLE(1, 0, 1, 0));
+            quad[i + 1] = _mm512_shuffle_ps(pair[i], pair[i + 2], _MM_SHUFFLE(3, 2, 3, 2));
+            quad[i + 2] = _mm512_shuffle_ps(pair[i + 1], pair[i + 3], _MM_SHUFFLE(1, 0, 1, 0));
+            quad[i + 3] = _mm512_shuffle_ps(pair[i + 1], pair[i + 3], _MM_SHUFFLE(3, 2, 3, 2));
+        }
+        const Int low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        const Int high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        for (int i = 0; i < 4; ++i) {
+            const __m512d a = _mm512_castps_pd(quad[i]), b = _mm512_castps_pd(quad[i + 4]);
+            row[i] = _mm512_castpd_ps(_mm512_permutex2var_pd(a, low, b));
+            row[i + 4] = _mm512_castpd_ps(_mm512_permutex2var_pd(a, high, b));
+        }
     }
 };
 

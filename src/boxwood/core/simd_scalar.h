@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 
 #include "boxwood/core/simd.h"
 
@@ -104,6 +105,24 @@ struct Scalar {
     template <class T>
     static Lanes<T> permute(const Lanes<T>& x, const Int& order) {
         return Lanes<T>::map([&](int i) { return x.lane[order.lane[i]]; });
+    }
+
+    static Float as_float(const Int& x) {
+        Float result;
+        std::memcpy(&result, &x, sizeof(result));
+        return result;
+    }
+
+    static void load_records(const float* p, Float (&field)[8]) {
+        for (int i = 0; i < 8; ++i)
+            field[i] = Float::map([&](int lane) { return p[8 * lane + i]; });
+    }
+    static void store_records(float* p, const Float (&field)[8]) {
+        for (int i = 0; i < 8; ++i) {
+            // Bits, since one of the fields isn't a float.
+            for (int lane = 0; lane < kWidth; ++lane)
+                std::memcpy(p + 8 * lane + i, &field[i].lane[lane], sizeof(float));
+        }
     }
 
     static Float select(unsigned mask, const Float& a, const Float& b) {

@@ -71,6 +71,23 @@ struct Sse4 {
             x, _mm_add_epi8(_mm_slli_epi32(first, 2), _mm_set1_epi32(0x03020100)));
     }
 
+    static BOXWOOD_KERNEL Float as_float(Int x) { return _mm_castsi128_ps(x); }
+
+    static BOXWOOD_KERNEL void load_records(const float* p, Float (&field)[8]) {
+        for (int i = 0; i < 4; ++i) {
+            field[i] = _mm_loadu_ps(p + 8 * i);
+            field[i + 4] = _mm_loadu_ps(p + 8 * i + 4);
+        }
+        transpose(field);
+    }
+    static BOXWOOD_KERNEL void store_records(float* p, Float (&field)[8]) {
+        transpose(field);
+        for (int i = 0; i < 4; ++i) {
+            _mm_storeu_ps(p + 8 * i, field[i]);
+            _mm_storeu_ps(p + 8 * i + 4, field[i + 4]);
+        }
+    }
+
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm_blendv_ps(b, a, _mm_castsi128_ps(mask_of(mask)));
     }
@@ -91,6 +108,11 @@ struct Sse4 {
     }
 
 private:
+    /// Two squares of 4 x 4.
+    static BOXWOOD_KERNEL void transpose(Float (&row)[8]) {
+        _MM_TRANSPOSE4_PS(row[0], row[1], row[2], row[3]);
+        _MM_TRANSPOSE4_PS(row[4], row[5], row[6], row[7]);
+    }
     static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
         const Int lane = _mm_setr_epi32(1, 2, 4, 8);
         return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(mask)), lane),

@@ -47,26 +47,10 @@ public:
         rounding_ = 2 * setup.rounding;
         sign_ = first.direction[kz_] < 0 ? -1.0f : 1.0f;
 
-        bool fits = true;
-        for (int packet = 0; packet < N; ++packet) {
-            for (int lane = 0; lane < N; ++lane) {
-                const Rayf& ray = rays[packet * N + lane];
-                const float z = ray.direction[kz_] * sign_;
-                const float x = ray.direction[kx_], y = ray.direction[ky_];
-                const float size_x = __builtin_fabsf(x), size_y = __builtin_fabsf(y);
-                // Equally large axes: the first of them counts, as for single rays.
-                fits &= (ray.origin[0] == first.origin[0]) & (ray.origin[1] == first.origin[1]) &
-                        (ray.origin[2] == first.origin[2]) & (ray.t_min == first.t_min) &
-                        (kx_ < kz_ ? size_x < z : size_x <= z) &
-                        (ky_ < kz_ ? size_y < z : size_y <= z) & (z >= 0x1p-60f) &
-                        (z <= 0x1p60f) & (ray.t_min <= ray.t_max);
-                direction_x_[packet][lane] = x;
-                direction_y_[packet][lane] = y;
-                direction_z_[packet][lane] = z;
-                t_[packet][lane] = ray.t_max;
-            }
-        }
-        return fits && set_shears();
+        unsigned fits = kAllLanes;
+        for (int packet = 0; packet < N; ++packet)
+            fits &= load_packet(packet, rays + packet * N, first);
+        return fits == kAllLanes && bound_packets();
     }
 
     BOXWOOD_KERNEL void run() {
@@ -89,25 +73,29 @@ public:
     }
 
     BOXWOOD_KERNEL void write(Hitf* hits) const {
+        const Float zero = S::broadcast(0);
         for (int packet = 0; packet < N; ++packet) {
-            for (int lane = 0; lane < N; ++lane) {
-                Hitf& hit = hits[packet * N + lane];
-                hit = {};
-                if (triangle_[packet][lane] == Hitf::kNone) continue;
-                const float determinant = determinant_[packet][lane];
-                hit.t = t_[packet][lane] + 0;
-                hit.u = v_[packet][lane] / determinant + 0;
-                hit.v = w_[packet][lane] / determinant + 0;
-                hit.triangle = triangle_[packet][lane];
-                for (int k = 0; k < 3; ++k) hit.normal[k] = normal_[k][packet][lane];
-            }
+            const unsigned hit = hit_[packet];
+            const auto or_zero = [&](Float x) { return S::select(hit, x, zero); };
+            const Float determinant = S::load(determinant_[packet]);
+            Float field[8] = {
+                S::select(hit, S::load(t_[packet]) + zero, S::broadcast(__builtin_inff())),
+                or_zero(S::load(v_[packet]) / determinant + zero),
+                or_zero(S::load(w_[packet]) / determinant + zero),
+                S::as_float(S::load(triangle_[packet])),
+                or_zero(S::load(normal_[0][packet])),
+                or_zero(S::load(normal_[1][packet])),
+                or_zero(S::load(normal_[2][packet])),
+                zero};
+            S::store_records(&hits[packet * N].t, field);
         }
     }
 
 private:
     using Float = typename S::Float;
 
-    static constexpr unsigned kAllPackets = (1u << N) - 1;
+    static constexpr unsigned kAllLanes = (1u << N) - 1;
+    static constexpr unsigned kAllPackets = kAllLanes;
     static constexpr int kFrustumStack = kStackSize;
 
     /// A child to visit, and whose child it is.
@@ -117,43 +105,65 @@ private:
         float enter;  ///< where the frustum enters it, along z
     };
 
-    /// The rays' shears and the rectangles around them, of the packets and of all.
-    BOXWOOD_KERNEL bool set_shears() {
+    /// Returns which lanes hold rays that fit the first.
+    BOXWOOD_KERNEL unsigned load_packet(int packet, const Rayf* rays, const Rayf& first) {
+        Float record[8];
+        S::load_records(rays[0].origin, record);
+        alignas(64) float direction[3][N];
+        for (int k = 0; k < 3; ++k) S::store(direction[k], record[4 + k]);
+        const Float x = S::load(direction[kx_]), y = S::load(direction[ky_]),
+                    z = S::load(direction[kz_]);
+        const Float sign = S::broadcast(sign_), depth = z * sign;
+        unsigned fits = S::equal(record[3], S::broadcast(t_min_)) &
+                        S::less_equal(record[3], record[7]);
+        for (int k = 0; k < 3; ++k) fits &= S::equal(record[k], S::broadcast(first.origin[k]));
+        // Equally large axes: the first of them counts, as for single rays.
+        const auto fits_beside = [&](Float other, bool comes_first) {
+            const Float size = S::max(other, -other);
+            return comes_first ? S::less(size, depth) : S::less_equal(size, depth);
+        };
+        fits &= fits_beside(x, kx_ < kz_) & fits_beside(y, ky_ < kz_) &
+                S::less_equal(S::broadcast(0x1p-60f), depth) &
+                S::less_equal(depth, S::broadcast(0x1p60f));
+
+        const Float sz = S::broadcast(1) / z;
+        S::store(sx_[packet], x * sz);
+        S::store(sy_[packet], y * sz);
+        S::store(sz_[packet], sz);
+        S::store(depth_[packet], depth);
+        S::store(t_[packet], record[7]);
+        for (int lane = 0; lane < N; ++lane) triangle_[packet][lane] = Hitf::kNone;
+        hit_[packet] = 0;
+        return fits;
+    }
+
+    /// Finds the rectangles around the shears, of the packets and of all; false when the rays of
+    /// the packets are no closer together than those of the group.
+    BOXWOOD_KERNEL bool bound_packets() {
         const Float sign = S::broadcast(sign_);
-        float spread = 0;
-        float lo_x = 2, hi_x = -2, lo_y = 2, hi_y = -2, farthest = 0;
         for (int packet = 0; packet < N; ++packet) {
-            const Float z = S::load(direction_z_[packet]) * sign;
-            const Float sz = S::broadcast(1) / z;
-            const Float sx = S::load(direction_x_[packet]) * sz;
-            const Float sy = S::load(direction_y_[packet]) * sz;
-            S::store(sx_[packet], sx);
-            S::store(sy_[packet], sy);
-            S::store(sz_[packet], sz);
-            for (int lane = 0; lane < N; ++lane) triangle_[packet][lane] = Hitf::kNone;
-            lo_x_[packet] = S::least(kAllPackets, sx * sign);
-            hi_x_[packet] = S::greatest(sx * sign);
-            lo_y_[packet] = S::least(kAllPackets, sy * sign);
-            hi_y_[packet] = S::greatest(sy * sign);
+            const Float x = S::load(sx_[packet]) * sign, y = S::load(sy_[packet]) * sign;
+            lo_x_[packet] = S::least(kAllLanes, x);
+            hi_x_[packet] = S::greatest(x);
+            lo_y_[packet] = S::least(kAllLanes, y);
+            hi_y_[packet] = S::greatest(y);
             set_far(packet);
-            spread += (hi_x_[packet] - lo_x_[packet]) + (hi_y_[packet] - lo_y_[packet]);
-            lo_x = smaller(lo_x, lo_x_[packet]);
-            hi_x = larger(hi_x, hi_x_[packet]);
-            lo_y = smaller(lo_y, lo_y_[packet]);
-            hi_y = larger(hi_y, hi_y_[packet]);
-            farthest = larger(farthest, far_[packet]);
         }
-        farthest_ = farthest;
-        group_lo_x_ = lo_x;
-        group_hi_x_ = hi_x;
-        group_lo_y_ = lo_y;
-        group_hi_y_ = hi_y;
-        return spread <= kMostPacketSpread * N * ((hi_x - lo_x) + (hi_y - lo_y)) + 1e-6f;
+        group_lo_x_ = S::least(kAllPackets, S::load(lo_x_));
+        group_hi_x_ = S::greatest(S::load(hi_x_));
+        group_lo_y_ = S::least(kAllPackets, S::load(lo_y_));
+        group_hi_y_ = S::greatest(S::load(hi_y_));
+        farthest_ = S::greatest(S::load(far_));
+        float spread = 0;
+        for (int packet = 0; packet < N; ++packet)
+            spread += (hi_x_[packet] - lo_x_[packet]) + (hi_y_[packet] - lo_y_[packet]);
+        const float group_spread = (group_hi_x_ - group_lo_x_) + (group_hi_y_ - group_lo_y_);
+        return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
     }
 
     /// How far along z a packet looks.
     BOXWOOD_KERNEL void set_far(int packet) {
-        const Float z = S::load(t_[packet]) * S::load(direction_z_[packet]);
+        const Float z = S::load(t_[packet]) * S::load(depth_[packet]);
         far_[packet] = S::greatest(z) * (1 + 0x1p-18f);
     }
 
@@ -370,6 +380,7 @@ private:
             keep(normal_[k][packet], S::broadcast(ab[a] * ac[b] - ab[b] * ac[a]));
         }
         S::store_masked(closer, triangle_[packet], triangle);
+        hit_[packet] |= closer;
         return closer != 0 ? 1u << packet : 0;
     }
 
@@ -384,10 +395,11 @@ private:
     // Of each packet.
     alignas(64) float lo_x_[N], hi_x_[N], lo_y_[N], hi_y_[N], far_[N];
     // Of each ray of each packet.
-    alignas(64) float direction_x_[N][N], direction_y_[N][N], direction_z_[N][N];
     alignas(64) float sx_[N][N], sy_[N][N], sz_[N][N], t_[N][N];
+    alignas(64) float depth_[N][N];  ///< along z, for each unit of t
     alignas(64) float v_[N][N], w_[N][N], determinant_[N][N], normal_[3][N][N];
     alignas(64) std::uint32_t triangle_[N][N];
+    unsigned hit_[N];  ///< of each packet: which rays hit something
     Entry stack_[kFrustumStack];
 };
 
