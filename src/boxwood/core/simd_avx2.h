@@ -79,6 +79,9 @@ struct Avx2 {
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm256_blendv_ps(b, a, _mm256_castsi256_ps(mask_of(mask)));
     }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
+        store(p, select(mask, x, load(p)));
+    }
     static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
         for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
     }

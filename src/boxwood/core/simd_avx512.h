@@ -83,6 +83,9 @@ struct Avx512 {
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm512_mask_blend_ps(static_cast<__mmask16>(mask), b, a);
     }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
+        _mm512_mask_store_ps(p, static_cast<__mmask16>(mask), x);
+    }
     static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
         _mm512_mask_store_epi32(p, static_cast<__mmask16>(mask),
                                 _mm512_set1_epi32(static_cast<int>(x)));

@@ -128,6 +128,9 @@ struct Scalar {
     static Float select(unsigned mask, const Float& a, const Float& b) {
         return Float::map([&](int i) { return mask >> i & 1 ? a.lane[i] : b.lane[i]; });
     }
+    static void store_masked(unsigned mask, float* p, const Float& x) {
+        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x.lane[__builtin_ctz(mask)];
+    }
     static void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
         for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
     }

@@ -91,6 +91,9 @@ struct Sse4 {
     static BOXWOOD_KERNEL Float select(unsigned mask, Float a, Float b) {
         return _mm_blendv_ps(b, a, _mm_castsi128_ps(mask_of(mask)));
     }
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
+        store(p, select(mask, x, load(p)));
+    }
     static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
         for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
     }

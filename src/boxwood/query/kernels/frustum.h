@@ -363,10 +363,10 @@ private:
             const int lane = __builtin_ctz(ties);
             if (triangle_[packet][lane] < triangle) closer &= ~(1u << lane);
         }
+        S::store(t_[packet], S::select(closer, hit.t, t));
         const auto keep = [&](float* place, Float value) {
-            S::store(place, S::select(closer, value, S::load(place)));
+            S::store_masked(closer, place, value);
         };
-        keep(t_[packet], hit.t);
         keep(v_[packet], hit.v);
         keep(w_[packet], hit.w);
         keep(determinant_[packet], hit.determinant);
