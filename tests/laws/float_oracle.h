@@ -13,9 +13,14 @@ namespace boxwood {
 
 /// What queries in float answer, one triangle at a time and with no vector, block, node or box in
 /// it: the watertight test in float, its edge functions accurate to 1.5 units in the last place.
+/// All coordinates are first multiplied by the scale, a power of two: see WideTree::scale().
 class FloatOracle {
 public:
-    FloatOracle(MeshView mesh, const Rayf& ray) : mesh_(mesh), ray_(ray) {
+    FloatOracle(MeshView mesh, const Rayf& ray, float scale = 1)
+        : mesh_(mesh), ray_(ray), scale_(scale) {
+        for (float& coordinate : ray_.origin) coordinate *= scale;
+        ray_.t_min *= scale;
+        ray_.t_max *= scale;
         const auto size = [&](int k) { return std::fabs(ray.direction[k]); };
         kz_ = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
         kx_ = (kz_ + 1) % 3;
@@ -30,7 +35,7 @@ public:
         if (!is_traceable()) return closest;
         for (std::uint32_t i = 0; i < mesh_.faces.size(); ++i) {
             const auto hit = intersect(i);
-            if (hit && (!closest || hit->t < closest->t)) closest = hit;
+            if (hit && (!closest || hit->t < closest->t)) closest = hit;  // on a tie the lower
         }
         return closest;
     }
@@ -49,10 +54,12 @@ private:
         return length >= 0x1p-60f && length <= 0x1p60f && ray_.t_min <= ray_.t_max;
     }
 
+    float scaled(double coordinate) const { return scale_ * static_cast<float>(coordinate); }
+
     Corner sheared(const Vec3d& p) const {
-        const float z = static_cast<float>(p[kz_]) - ray_.origin[kz_];
-        return {(static_cast<float>(p[kx_]) - ray_.origin[kx_]) - sx_ * z,
-                (static_cast<float>(p[ky_]) - ray_.origin[ky_]) - sy_ * z, z};
+        const float z = scaled(p[kz_]) - ray_.origin[kz_];
+        return {(scaled(p[kx_]) - ray_.origin[kx_]) - sx_ * z,
+                (scaled(p[ky_]) - ray_.origin[ky_]) - sy_ * z, z};
     }
 
     /// p.x q.y - p.y q.x
@@ -78,14 +85,18 @@ private:
         hit.u = v / determinant + 0;
         hit.v = w / determinant + 0;
         hit.triangle = i;
-        const Vec3f ab = pb.cast<float>() - pa.cast<float>(), ac = pc.cast<float>() - pa.cast<float>();
+        const Vec3f ab = scale_ * pb.cast<float>() - scale_ * pa.cast<float>();
+        const Vec3f ac = scale_ * pc.cast<float>() - scale_ * pa.cast<float>();
         const Vec3f normal = ab.cross(ac);
-        std::copy(normal.data(), normal.data() + 3, hit.normal);
+        const float inverse = 1 / scale_;
+        hit.t *= inverse;
+        for (int k = 0; k < 3; ++k) hit.normal[k] = normal[k] * inverse * inverse;
         return hit;
     }
 
     MeshView mesh_;
     Rayf ray_;
+    float scale_;
     int kx_, ky_, kz_;
     float sx_, sy_, sz_;
 };

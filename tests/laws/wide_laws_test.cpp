@@ -8,9 +8,12 @@
 #include <cstring>
 #include <memory>
 
+#include "boxwood/query/brute_force.h"
+#include "boxwood/query/certified_hits.h"
 #include "boxwood/query/wide_hits.h"
 #include "laws/accelerators.h"
 #include "laws/float_oracle.h"
+#include "laws/hits.h"
 #include "laws/mesh_families.h"
 #include "laws/ray_families.h"
 
@@ -65,15 +68,35 @@ class WideLaws : public testing::TestWithParam<MeshFamily> {};
 TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
+    const float scale = trees[0].tree.scale();
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const Rayf ray = in_float(random_ray(mesh, seed));
-        const auto expected = FloatOracle(mesh, ray).closest_hit();
+        const auto expected = FloatOracle(mesh, ray, scale).closest_hit();
         for (const auto& [name, tree] : trees) {
             const auto found = closest_hit(tree, ray);
             ASSERT_TRUE(have_same_bits(found, expected))
                 << name << ", seed " << seed << "\nfound    " << text(found) << "\nexpected "
                 << text(expected);
             ASSERT_EQ(any_hit(tree, ray), expected.has_value()) << name << ", seed " << seed;
+        }
+    }
+}
+
+TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
+    const TriangleMesh mesh = GetParam().make();
+    const std::vector<NamedTree> trees = all_trees(mesh);
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        Ray ray = random_ray(mesh, seed);
+        // Some from so far away that float can't tell the scene from a point.
+        if (seed % 4 == 0) ray.origin -= std::ldexp(1.0, static_cast<int>(seed % 80)) * ray.direction;
+        const auto expected = closest_hit_brute_force(mesh, ray);
+        for (const auto& [name, tree] : trees) {
+            const auto found = closest_hit(mesh, tree, ray);
+            ASSERT_TRUE(are_identical(found, expected))
+                << name << ", seed " << seed << "\n"
+                << testing::PrintToString(ray) << "\nfound    " << testing::PrintToString(found)
+                << "\nexpected " << testing::PrintToString(expected);
+            ASSERT_EQ(any_hit(mesh, tree, ray), expected.has_value()) << name << seed;
         }
     }
 }
@@ -106,9 +129,11 @@ std::vector<Rayf> many_rays(const TriangleMesh& mesh) {
 TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<Rayf> rays = many_rays(mesh);
+    const std::vector<NamedTree> trees = all_trees(mesh);
+    const float scale = trees[0].tree.scale();
     std::vector<std::optional<Hitf>> expected;
-    for (const Rayf& ray : rays) expected.push_back(FloatOracle(mesh, ray).closest_hit());
-    for (const auto& [name, tree] : all_trees(mesh)) {
+    for (const Rayf& ray : rays) expected.push_back(FloatOracle(mesh, ray, scale).closest_hit());
+    for (const auto& [name, tree] : trees) {
         for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{64}, rays.size()}) {
             std::vector<Hitf> hits(count);
             const std::unique_ptr<bool[]> any(new bool[count]);

@@ -43,9 +43,10 @@ constexpr std::uint32_t kSmallestTask = 4096;
 template <int N>
 class Collapser {
 public:
-    Collapser(MeshView mesh, const Tree& tree)
+    Collapser(MeshView mesh, const Tree& tree, float scale)
         : mesh_(mesh),
           tree_(tree),
+          scale_(scale),
           plans_(new Plan[tree.nodes.size()]),
           rows_(new Row[tree.nodes.size()]) {
         const double area = tree.root().box.surface_area();
@@ -237,8 +238,8 @@ private:
         for (int i = 0; i < N; ++i) {
             const Box3f box = i < children.count ? tree_.nodes[children.node[i]].box : Box3f{};
             for (int k = 0; k < 3; ++k) {
-                node.slabs[k].lo[i] = box.lo[k];
-                node.slabs[k].hi[i] = box.hi[k];
+                node.slabs[k].lo[i] = scale_ * box.lo[k];
+                node.slabs[k].hi[i] = scale_ * box.hi[k];
             }
             if (i >= children.count) node.child[i] = 0;
         }
@@ -279,7 +280,7 @@ private:
             for (int corner = 0; corner < 3; ++corner) {
                 for (int k = 0; k < 3; ++k)
                     block->corner[corner][k][i] =
-                        is_used ? static_cast<float>(mesh_.corner(triangles[i], corner)[k])
+                        is_used ? scale_ * static_cast<float>(mesh_.corner(triangles[i], corner)[k])
                                 : std::numeric_limits<float>::quiet_NaN();
             }
         }
@@ -307,6 +308,7 @@ private:
 
     MeshView mesh_;
     const Tree& tree_;
+    float scale_;
     std::unique_ptr<Plan[]> plans_;
     std::unique_ptr<Row[]> rows_;
     double inverse_area_;
@@ -314,23 +316,23 @@ private:
 };
 
 template <int N>
-Collapsed collapse_to(MeshView mesh, const Tree& tree) {
-    if (auto result = Collapser<N>(mesh, tree).run()) return std::move(*result);
+Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale) {
+    if (auto result = Collapser<N>(mesh, tree, scale).run()) return std::move(*result);
     const Tree flatter = bound_depth(tree, kDeepest - 32);
-    return std::move(*Collapser<N>(mesh, flatter).run());
+    return std::move(*Collapser<N>(mesh, flatter, scale).run());
 }
 
 }  // namespace
 
-Collapsed collapse(MeshView mesh, const Tree& tree, int width) {
+Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale) {
     if (tree.is_empty()) return {};
     switch (width) {
         case 16:
-            return collapse_to<16>(mesh, tree);
+            return collapse_to<16>(mesh, tree, scale);
         case 8:
-            return collapse_to<8>(mesh, tree);
+            return collapse_to<8>(mesh, tree, scale);
         default:
-            return collapse_to<4>(mesh, tree);
+            return collapse_to<4>(mesh, tree, scale);
     }
 }
 

@@ -14,7 +14,8 @@ struct Collapsed {
     int stack_size = 0;  ///< places that a walk needs at most to remember nodes
 };
 
-/// Collapses a binary tree to nodes of 4, 8 or 16 children; see WideTree.
-Collapsed collapse(MeshView mesh, const Tree& tree, int width);
+/// Collapses a binary tree to nodes of 4, 8 or 16 children, with all coordinates multiplied by a
+/// power of two; see WideTree.
+Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale);
 
 }  // namespace boxwood

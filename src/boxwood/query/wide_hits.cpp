@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/query/wide_hits.h"
 
-#include <algorithm>
-
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/kernels/ray_kernels.h"
@@ -19,35 +17,70 @@ void check_sizes(std::size_t rays, std::size_t hits) {
         throw InvalidInput("closest_hits, any_hits: expected as many places for hits as rays");
 }
 
+Rayf scaled(Rayf ray, float scale) {
+    for (float& coordinate : ray.origin) coordinate *= scale;
+    ray.t_min *= scale;
+    ray.t_max *= scale;
+    return ray;
+}
+
+/// Back from the scale of the tree.
+void unscale(Hitf& hit, float scale) {
+    if (!hit.is_hit()) return;
+    const float inverse = 1 / scale;
+    hit.t *= inverse;
+    for (float& coordinate : hit.normal) coordinate = coordinate * inverse * inverse;
+}
+
 }  // namespace
 
 std::optional<Hitf> closest_hit(const WideTree& tree, const Rayf& ray) noexcept {
-    if (tree.is_empty()) return std::nullopt;
     Hitf hit;
-    ray_kernels(tree.instruction_set()).closest_hit(tree.view(), ray, hit);
+    closest_hit(tree, ray, hit);
     if (!hit.is_hit()) return std::nullopt;
     return hit;
 }
 
+void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit) noexcept {
+    if (tree.is_empty()) {
+        hit = {};
+        return;
+    }
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    if (tree.scale() == 1) return kernels.closest_hit(tree.view(), ray, hit);
+    kernels.closest_hit(tree.view(), scaled(ray, tree.scale()), hit);
+    unscale(hit, tree.scale());
+}
+
 bool any_hit(const WideTree& tree, const Rayf& ray) noexcept {
-    return !tree.is_empty() && ray_kernels(tree.instruction_set()).any_hit(tree.view(), ray);
+    if (tree.is_empty()) return false;
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    if (tree.scale() == 1) return kernels.any_hit(tree.view(), ray);
+    return kernels.any_hit(tree.view(), scaled(ray, tree.scale()));
 }
 
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits) {
     check_sizes(rays.size(), hits.size());
-    if (tree.is_empty()) return std::fill(hits.begin(), hits.end(), Hitf{}), void();
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        kernels.closest_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
+        if (tree.scale() == 1 && !tree.is_empty()) {
+            kernels.closest_hits(tree.view(), rays.data() + begin, hits.data() + begin,
+                                 end - begin);
+        } else {
+            for (std::size_t i = begin; i < end; ++i) closest_hit(tree, rays[i], hits[i]);
+        }
     });
 }
 
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits) {
     check_sizes(rays.size(), hits.size());
-    if (tree.is_empty()) return std::fill(hits.begin(), hits.end(), false), void();
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
+        if (tree.scale() == 1 && !tree.is_empty()) {
+            kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
+        } else {
+            for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
+        }
     });
 }
 

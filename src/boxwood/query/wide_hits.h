@@ -15,6 +15,8 @@ namespace boxwood {
 
 /// The hit with the least t in [ray.t_min, ray.t_max], equal distances to the lower triangle.
 std::optional<Hitf> closest_hit(const WideTree& tree, const Rayf& ray) noexcept;
+/// The same into a place that is there already, which is faster.
+void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit) noexcept;
 
 /// Whether anything is hit in [ray.t_min, ray.t_max].
 bool any_hit(const WideTree& tree, const Rayf& ray) noexcept;

@@ -33,6 +33,9 @@ public:
     bool is_empty() const { return memory_.size() == 0; }
     std::size_t bytes() const { return memory_.size(); }
     const Box3f& bounds() const { return bounds_; }
+    /// The power of two by which all coordinates are multiplied in the tree: 1 but for meshes so
+    /// small or so large that float arithmetic on them would lose digits or overflow.
+    float scale() const { return scale_; }
     /// What a random line through the bounds is expected to cost, in node visits.
     double cost() const { return cost_; }
 
@@ -44,6 +47,7 @@ private:
     Arena memory_;
     WideTreeView view_;
     Box3f bounds_;
+    float scale_ = 1;
     double cost_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boxwood/query/kernels/any_hit.h"
+#include "boxwood/query/kernels/candidates.h"
 #include "boxwood/query/kernels/closest_hit.h"
 #include "boxwood/query/kernels/frustum.h"
 #include "boxwood/query/kernels/wavefront.h"

@@ -32,28 +32,21 @@ BOXWOOD_KERNEL int compact(std::uint32_t* references, float* distances, int size
     return kept;
 }
 
-template <class S>
-void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept {
+/// Visits the blocks that the ray meets before t_max, nearest first. A visit may lower t_max.
+template <class S, class Visit>
+BOXWOOD_KERNEL void walk(const WideTreeView& tree, const RaySetup& setup,
+                         const NodeRay<S>& node_ray, const float& t_max, const Visit& visit) {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
-    ClosestHit<S> closest;
-    closest.t = ray.t_max;
-    if (!is_traceable(ray)) return closest.write(result);
-
-    RaySetup setup;
-    setup.set<typename S::Quad>(ray, tree);
-    const NodeRay<S> node_ray(setup);
-    const BlockRay<S> block_ray(setup);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     alignas(64) float distances[kStackSize + kStackSlack];
     int size = 0;
-    Float t_max = S::broadcast(closest.t);
     WideReference current = 0;
     for (;;) {
         if (!is_leaf(current)) {
             const WideNode<N>& node = tree.node<N>(current);
             Float enter, leave;
-            node_ray.intersect(node, t_max, enter, leave);
+            node_ray.intersect(node, S::broadcast(t_max), enter, leave);
             const unsigned hit = S::less_equal(enter, leave);
             if (hit != 0) {
                 if ((hit & (hit - 1)) == 0) {
@@ -72,16 +65,31 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexce
                 continue;
             }
         } else {
-            const TriangleBlock<N>& block = tree.block<N>(current);
-            const BlockHit<S> hit = intersect<S>(block, block_ray, t_max);
-            if (hit.mask != 0 && closest.offer(block, hit)) t_max = S::broadcast(closest.t);
+            visit(current);
         }
-        if (size == 0) break;
-        if (distances[size - 1] > closest.t) {
-            size = compact<S>(references, distances, size, closest.t);
-            if (size == 0) break;
+        if (size == 0) return;
+        if (distances[size - 1] > t_max) {
+            size = compact<S>(references, distances, size, t_max);
+            if (size == 0) return;
         }
         current = references[--size];
+    }
+}
+
+template <class S>
+void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept {
+    ClosestHit<S> closest;
+    closest.t = ray.t_max;
+    if (is_traceable(ray)) {
+        RaySetup setup;
+        setup.set<typename S::Quad>(ray, tree);
+        const NodeRay<S> node_ray(setup);
+        const BlockRay<S> block_ray(setup);
+        walk<S>(tree, setup, node_ray, closest.t, [&](WideReference reference) {
+            const auto& block = tree.block<S::kWidth>(reference);
+            const BlockHit<S> hit = intersect<S>(block, block_ray, S::broadcast(closest.t));
+            if (hit.mask != 0) closest.offer(block, hit);
+        });
     }
     closest.write(result);
 }

@@ -7,7 +7,8 @@ namespace boxwood {
 
 const RayKernels& scalar_kernels() {
     static constexpr RayKernels kKernels = {closest_hit<Scalar>, any_hit<Scalar>,
-                                            closest_hits<Scalar>, any_hits<Scalar>};
+                                            closest_hits<Scalar>, any_hits<Scalar>,
+                                            walk_candidates<Scalar>};
     return kKernels;
 }
 

@@ -9,6 +9,13 @@
 
 namespace boxwood {
 
+/// What walk_candidates() calls with the triangles of a block that the mask names. Returns the
+/// distance beyond which nothing is of interest any more; minus infinity ends the walk.
+struct CandidateVisitor {
+    void* context;
+    float (*visit)(void* context, const std::uint32_t* triangles, unsigned mask) noexcept;
+};
+
 /// The kernels of one instruction set.
 struct RayKernels {
     void (*closest_hit)(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept;
@@ -17,6 +24,8 @@ struct RayKernels {
                          std::size_t count) noexcept;
     void (*any_hits)(const WideTreeView& tree, const Rayf* rays, bool* hits,
                      std::size_t count) noexcept;
+    void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
+                            const CandidateVisitor& visitor) noexcept;
 };
 
 // One of these a source file, compiled for that instruction set alone.

@@ -54,9 +54,10 @@ struct RaySetup {
         return (2 * k + 1 - (octant >> k & 1)) * N;
     }
 
+    /// The extra rounding is how far off the ray may be besides its own rounding to float.
     /// Precondition: is_traceable(ray).
     template <class Quad>
-    BOXWOOD_KERNEL void set(const Rayf& ray, const WideTreeView& tree) {
+    BOXWOOD_KERNEL void set(const Rayf& ray, const WideTreeView& tree, float extra_rounding = 0) {
         const auto origin = Quad::load_unaligned(ray.origin);
         const auto direction = Quad::load_unaligned(ray.direction);
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
@@ -70,7 +71,7 @@ struct RaySetup {
         const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
         const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
         const float reach = largest<Quad>(Quad::max(to_lo, to_hi));
-        rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin)));
+        rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin))) + extra_rounding;
         const auto outward = Quad::copy_sign(Quad::broadcast(rounding), direction);
         Quad::store(inverse, reciprocal);
         Quad::store(near_term, -((origin + outward) * reciprocal));

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "boxwood/core/ray.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/wide_tree.h"
+
+namespace boxwood {
+
+// Queries in double precision on a tree in float. The tree is walked in float, with bounds on all
+// that rounding can do; what it can't leave out is decided in double from the mesh's own vertices.
+// The answers are those of brute force to the last bit, for every builder, width and instruction
+// set. Precondition: the tree was made from this mesh.
+
+/// closest_hit() of query/closest_hit.h.
+std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
+
+/// any_hit() of query/any_hit.h.
+bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
+
+}  // namespace boxwood
