@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "boxwood/core/parallel.h"
-#include "boxwood/tree/statistics.h"
 #include "cli/arguments.h"
 #include "cli/bench_rays.h"
 #include "cli/commands.h"
@@ -65,7 +64,7 @@ double seconds_per_ray(const Scene& scene, const RaySet& set) {
 Row measure(const std::string& name, const Scene& scene, double build_seconds,
             const std::vector<RaySet>& sets) {
     Row row = {.accelerator = name, .build_seconds = build_seconds};
-    for (const Tree& tree : scene.trees()) row.bytes += statistics(tree).bytes;
+    for (const WideTree& tree : scene.wide_trees()) row.bytes += tree.bytes();
     for (const RaySet& set : sets) row.seconds.push_back(seconds_per_ray(scene, set));
     return row;
 }

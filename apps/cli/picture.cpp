@@ -64,7 +64,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
 void check_output(const PictureOptions& options) { check_png_path(options.output); }
 
 void make_picture(const World& world, const PictureOptions& options, double load_seconds) {
-    const SceneOptions scene_options = options.accelerator.scene_options();
+    const IntegratorKind integrator = value_of(integrators(), options.integrator);
+    SceneOptions scene_options = options.accelerator.scene_options();
+    scene_options.keep_trees = integrator == IntegratorKind::heat;
     if (!options.quiet && !scene_options.brute_force)
         warn_of_slow_builds(world, scene_options.build);
 
@@ -74,7 +76,7 @@ void make_picture(const World& world, const PictureOptions& options, double load
 
     RenderOptions render_options = {.width = options.width,
                                     .height = options.height,
-                                    .integrator = value_of(integrators(), options.integrator),
+                                    .integrator = integrator,
                                     .samples = options.samples,
                                     .seed = options.seed};
     ColorImage image;

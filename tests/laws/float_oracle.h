@@ -48,13 +48,14 @@ private:
     bool is_traceable() const {
         float length = 0;
         for (int k = 0; k < 3; ++k) {
-            if (!std::isfinite(ray_.origin[k]) || !std::isfinite(ray_.direction[k])) return false;
+            if (!(std::fabs(ray_.origin[k]) <= 0x1p57f) || !std::isfinite(ray_.direction[k]))
+                return false;
             length = std::max(length, std::fabs(ray_.direction[k]));
         }
-        return length >= 0x1p-60f && length <= 0x1p60f && ray_.t_min <= ray_.t_max;
+        return length >= 0x1p-40f && length <= 0x1p40f && ray_.t_min <= ray_.t_max;
     }
 
-    float scaled(double coordinate) const { return scale_ * static_cast<float>(coordinate); }
+    float scaled(double coordinate) const { return static_cast<float>(scale_ * coordinate); }
 
     Corner sheared(const Vec3d& p) const {
         const float z = scaled(p[kz_]) - ray_.origin[kz_];
@@ -85,8 +86,11 @@ private:
         hit.u = v / determinant + 0;
         hit.v = w / determinant + 0;
         hit.triangle = i;
-        const Vec3f ab = scale_ * pb.cast<float>() - scale_ * pa.cast<float>();
-        const Vec3f ac = scale_ * pc.cast<float>() - scale_ * pa.cast<float>();
+        const auto from_a = [&](const Vec3d& p) {
+            return Vec3f(scaled(p.x()) - scaled(pa.x()), scaled(p.y()) - scaled(pa.y()),
+                         scaled(p.z()) - scaled(pa.z()));
+        };
+        const Vec3f ab = from_a(pb), ac = from_a(pc);
         const Vec3f normal = ab.cross(ac);
         const float inverse = 1 / scale_;
         hit.t *= inverse;

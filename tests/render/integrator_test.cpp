@@ -229,7 +229,7 @@ TEST(Depth, picture_of_nothing_is_black) {
 
 TEST(Heat, shows_more_where_there_is_more_to_do) {
     const World world = lit_square();
-    const Surfaces surfaces(world);
+    const Surfaces surfaces(world, {.keep_trees = true});
     const auto heat = make_integrator(IntegratorKind::heat, world, surfaces, 5);
     EXPECT_GT(heat->radiance(kAtMiddle).x(), 0);
     EXPECT_GT(heat->radiance(kAtMiddle).x(), heat->radiance({.origin = {100, 0, 1}}).x());

@@ -57,8 +57,10 @@ TEST(Scene, nothing_is_never_hit) {
 
 TEST(Scene, has_a_tree_a_mesh_but_none_where_it_is_brute_force) {
     const TriangleMesh mesh = generate_soup(50), nothing;
-    EXPECT_EQ(Scene({mesh, nothing, mesh}).trees().size(), 3u);
-    EXPECT_TRUE(Scene({mesh}, {.brute_force = true}).trees().empty());
+    EXPECT_EQ(Scene({mesh, nothing, mesh}).wide_trees().size(), 3u);
+    EXPECT_TRUE(Scene({mesh, nothing, mesh}).trees().empty());
+    EXPECT_EQ(Scene({mesh, nothing, mesh}, {.keep_trees = true}).trees().size(), 3u);
+    EXPECT_TRUE(Scene({mesh}, {.brute_force = true}).wide_trees().empty());
     EXPECT_EQ(Scene({mesh, nothing}).meshes().size(), 2u);
 }
 
@@ -74,12 +76,13 @@ TEST(Scene, indices_out_of_range_are_refused) {
 TEST(Scene, counts_its_own_nodes_and_those_of_its_meshes) {
     const TriangleMesh mesh = generate_icosphere(500);
     TraversalCounts counts;
-    Scene({mesh}).closest_hit({.origin = {0.1, 0.2, 5}}, &counts);
+    Scene({mesh}, {.keep_trees = true}).closest_hit({.origin = {0.1, 0.2, 5}}, counts);
     EXPECT_GT(counts.nodes, 2u);
     EXPECT_GT(counts.primitives, 0u);
     TraversalCounts brute;
-    Scene({mesh}, {.brute_force = true}).closest_hit({.origin = {0.1, 0.2, 5}}, &brute);
+    Scene({mesh}, {.brute_force = true}).closest_hit({.origin = {0.1, 0.2, 5}}, brute);
     EXPECT_EQ(brute.primitives, mesh.faces.size());
+    EXPECT_FALSE(Scene({mesh}).counts_steps());
 }
 
 }  // namespace

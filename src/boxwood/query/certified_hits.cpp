@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxwood/query/brute_force.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_ray.h"
 
@@ -51,6 +52,8 @@ public:
         ray_.t_max = farthest(ray.t_max);
     }
 
+    /// From so far away that moving the origin loses all digits, no triangle can be left out.
+    bool can_leave_out() const { return extra_rounding_ <= kMostRounding; }
     const Rayf& ray() const { return ray_; }
     float extra_rounding() const { return extra_rounding_; }
 
@@ -60,6 +63,8 @@ public:
     }
 
 private:
+    static constexpr float kMostRounding = 0x1p57f;
+
     Rayf ray_;
     double scale_;
     double stretch_;  ///< what a unit of t is in the units of ray_, before the scale
@@ -86,6 +91,7 @@ void visit_candidates(const WideTree& tree, const NearRay& near, Visit& visit) n
 std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return std::nullopt;
     const NearRay near(tree, ray);
+    if (!near.can_leave_out()) return closest_hit_brute_force(mesh, ray);
     const MeshRay mesh_ray(mesh, ray);
     Hit closest;
     double t_max = ray.t_max;
@@ -107,6 +113,7 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return false;
     const NearRay near(tree, ray);
+    if (!near.can_leave_out()) return any_hit_brute_force(mesh, ray);
     const MeshRay mesh_ray(mesh, ray);
     bool found = false;
     auto visit = [&](std::uint32_t triangle) {

@@ -58,7 +58,6 @@ public:
         if (!plan(0, 0)) return std::nullopt;
         Collapsed result;
         result.cost = rows_[0][1];
-        plans_[0].is_leaf = false;  // the root is a node, if only one with a single leaf
         result.memory = Arena(measure(0));
         result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
@@ -130,10 +129,11 @@ private:
         return true;
     }
 
-    /// The children of the wide node that stands for this one.
+    /// The children of the wide node that stands for this one: the root is a node even when all
+    /// of the tree fits into a leaf, which then is its child.
     Children children_of(std::uint32_t index) const {
         Children children;
-        if (tree_.nodes[index].is_leaf() || plans_[index].is_leaf) {
+        if (plans_[index].is_leaf) {
             children.add(index);
         } else {
             share(index, N, children);
@@ -280,7 +280,7 @@ private:
             for (int corner = 0; corner < 3; ++corner) {
                 for (int k = 0; k < 3; ++k)
                     block->corner[corner][k][i] =
-                        is_used ? scale_ * static_cast<float>(mesh_.corner(triangles[i], corner)[k])
+                        is_used ? static_cast<float>(scale_ * mesh_.corner(triangles[i], corner)[k])
                                 : std::numeric_limits<float>::quiet_NaN();
             }
         }

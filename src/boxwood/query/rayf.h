@@ -7,7 +7,9 @@
 namespace boxwood {
 
 /// A Ray in float, 32 plain bytes as batches of rays are kept: the points origin + t * direction
-/// with t_min <= t <= t_max. Distances t are in multiples of the direction's length.
+/// with t_min <= t <= t_max. Distances t are in multiples of the direction's length. A ray hits
+/// nothing when a coordinate is NaN, the direction's largest is outside [2^-40, 2^40], the origin's
+/// beyond 2^57, or not t_min <= t_max.
 struct Rayf {
     float origin[3] = {0, 0, 0};
     float t_min = 0;

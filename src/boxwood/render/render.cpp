@@ -91,6 +91,8 @@ ColorImage render(const World& world, const Surfaces& surfaces, const RenderOpti
             "render: expected a width and a height of at least 1, up to 2^28 pixels");
     if (options.samples < 1 || options.bounces < 0)
         throw InvalidInput("render: expected at least one sample and no negative bounces");
+    if (options.integrator == IntegratorKind::heat && !surfaces.scene().counts_steps())
+        throw InvalidInput("render: heat counts steps, expected SceneOptions with keep_trees");
     return Renderer(world, surfaces, options).render();
 }
 

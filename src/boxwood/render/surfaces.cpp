@@ -48,7 +48,7 @@ TriangleId Surfaces::sphere_id(std::uint32_t sphere) const {
 
 std::optional<SurfaceHit> Surfaces::closest_hit(const Ray& ray, TraversalCounts* counts) const {
     if (!is_traceable(ray)) return std::nullopt;
-    const auto on_mesh = scene_.closest_hit(ray, counts);
+    const auto on_mesh = counts ? scene_.closest_hit(ray, *counts) : scene_.closest_hit(ray);
     double t = on_mesh ? on_mesh->t : ray.t_max;
     std::optional<std::uint32_t> closest_sphere;
     if (!sphere_tree_.is_empty()) {

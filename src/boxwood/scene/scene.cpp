@@ -6,6 +6,7 @@
 
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/brute_force.h"
+#include "boxwood/query/certified_hits.h"
 #include "boxwood/query/closest_hit.h"
 
 namespace boxwood {
@@ -27,22 +28,24 @@ Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
 
     std::vector<Box3f> boxes;
     for (const MeshView& mesh : meshes_) {
-        trees_.push_back(build_tree(mesh, options.build));
-        boxes.push_back(trees_.back().is_empty() ? Box3f{} : trees_.back().root().box);
+        Tree tree = build_tree(mesh, options.build);
+        boxes.push_back(tree.is_empty() ? Box3f{} : tree.root().box);
+        wide_trees_.emplace_back(mesh, tree);
+        if (options.keep_trees) trees_.push_back(std::move(tree));
     }
     // A single mesh needs no second tree to be found by.
     if (meshes_.size() > 1) top_ = build_tree(boxes);
 }
 
-std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts* counts) const noexcept {
+template <class ClosestHitOnMesh>
+std::optional<Hit> Scene::closest_of_meshes(const Ray& ray, const ClosestHitOnMesh& on_mesh,
+                                            TraversalCounts* counts) const noexcept {
     if (!is_traceable(ray)) return std::nullopt;
     std::optional<Hit> closest;
     const auto visit = [&](std::uint32_t mesh, double t_max) {
         Ray shortened = ray_in_mesh(ray, mesh);
         shortened.t_max = t_max;
-        auto hit = trees_.empty()
-                       ? closest_hit_brute_force(meshes_[mesh], shortened, counts)
-                       : boxwood::closest_hit(meshes_[mesh], trees_[mesh], shortened, counts);
+        auto hit = on_mesh(mesh, shortened);
         if (!hit) return t_max;
         hit->mesh = mesh;
         if (!closest || is_closer(*hit, *closest)) closest = hit;
@@ -58,13 +61,32 @@ std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts* counts) c
     return closest;
 }
 
+std::optional<Hit> Scene::closest_hit(const Ray& ray) const noexcept {
+    const auto on_mesh = [&](std::uint32_t mesh, const Ray& shortened) {
+        return wide_trees_.empty()
+                   ? closest_hit_brute_force(meshes_[mesh], shortened)
+                   : boxwood::closest_hit(meshes_[mesh], wide_trees_[mesh], shortened);
+    };
+    return closest_of_meshes(ray, on_mesh, nullptr);
+}
+
+std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts& counts) const noexcept {
+    const auto on_mesh = [&](std::uint32_t mesh, const Ray& shortened) {
+        return trees_.empty()
+                   ? closest_hit_brute_force(meshes_[mesh], shortened, &counts)
+                   : boxwood::closest_hit(meshes_[mesh], trees_[mesh], shortened, &counts);
+    };
+    return closest_of_meshes(ray, on_mesh, &counts);
+}
+
 bool Scene::any_hit(const Ray& ray) const noexcept {
     if (!is_traceable(ray)) return false;
     bool found = false;
     const auto visit = [&](std::uint32_t mesh, double t_max) {
         const Ray mesh_ray = ray_in_mesh(ray, mesh);
-        found = found || (trees_.empty() ? any_hit_brute_force(meshes_[mesh], mesh_ray)
-                                         : boxwood::any_hit(meshes_[mesh], trees_[mesh], mesh_ray));
+        found = found || (wide_trees_.empty()
+                              ? any_hit_brute_force(meshes_[mesh], mesh_ray)
+                              : boxwood::any_hit(meshes_[mesh], wide_trees_[mesh], mesh_ray));
         return found ? kEndOfWalk : t_max;
     };
 

@@ -9,6 +9,7 @@
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/traverse.h"
+#include "boxwood/query/wide_tree.h"
 #include "boxwood/tree/tree.h"
 
 namespace boxwood {
@@ -17,6 +18,9 @@ namespace boxwood {
 struct SceneOptions {
     BuildOptions build = {};
     bool brute_force = false;  ///< no trees: test every triangle
+    /// Keeps the trees as they were built, beside the fast form that queries walk: for queries that
+    /// count their steps, and for trees().
+    bool keep_trees = false;
 };
 
 /// Triangle meshes that can be asked what a ray hits. It refers to the meshes' arrays, which must
@@ -28,19 +32,30 @@ public:
 
     /// The hit with the least t in [ray.t_min, ray.t_max], or nothing. Equal distances go to the
     /// lower (mesh, triangle), so the answer doesn't depend on the options. See closest_hit.h.
-    std::optional<Hit> closest_hit(const Ray& ray,
-                                   TraversalCounts* counts = nullptr) const noexcept;
+    std::optional<Hit> closest_hit(const Ray& ray) const noexcept;
+    /// The same, adding up the steps through the trees as they were built, or by brute force.
+    /// Precondition: counts_steps().
+    std::optional<Hit> closest_hit(const Ray& ray, TraversalCounts& counts) const noexcept;
 
     /// Whether anything is hit in [ray.t_min, ray.t_max].
     bool any_hit(const Ray& ray) const noexcept;
 
     std::span<const MeshView> meshes() const { return meshes_; }
-    /// One a mesh; none where it is brute force.
+    /// Whether queries can count their steps: with options.keep_trees or options.brute_force.
+    bool counts_steps() const { return wide_trees_.size() == trees_.size(); }
+    /// One a mesh, where they are kept.
     std::span<const Tree> trees() const { return trees_; }
+    /// What queries walk; one a mesh, none where it is brute force.
+    std::span<const WideTree> wide_trees() const { return wide_trees_; }
 
 private:
+    template <class ClosestHitOnMesh>
+    std::optional<Hit> closest_of_meshes(const Ray& ray, const ClosestHitOnMesh& on_mesh,
+                                         TraversalCounts* counts) const noexcept;
+
     std::vector<MeshView> meshes_;
     std::vector<Tree> trees_;
+    std::vector<WideTree> wide_trees_;
     Tree top_;  ///< over the meshes
 };
 

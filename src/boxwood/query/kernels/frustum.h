@@ -123,8 +123,8 @@ private:
             return comes_first ? S::less(size, depth) : S::less_equal(size, depth);
         };
         fits &= fits_beside(x, kx_ < kz_) & fits_beside(y, ky_ < kz_) &
-                S::less_equal(S::broadcast(0x1p-60f), depth) &
-                S::less_equal(depth, S::broadcast(0x1p60f));
+                S::less_equal(S::broadcast(kShortestDirection), depth) &
+                S::less_equal(depth, S::broadcast(kLongestDirection));
 
         const Float sz = S::broadcast(1) / z;
         S::store(sx_[packet], x * sz);

@@ -7,16 +7,25 @@
 
 namespace boxwood {
 
-/// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite, its
-/// direction has its largest coordinate outside [2^-60, 2^60], or not t_min <= t_max.
+/// Outside these a ray hits nothing, so that no product below overflows.
+constexpr float kShortestDirection = 0x1p-40f, kLongestDirection = 0x1p40f;  ///< largest coordinate
+constexpr float kFarthestOrigin = 0x1p57f;
+/// Coordinates of the direction are at least this part of the largest.
+constexpr float kLeastSlope = 0x1p-28f;
+
+/// Whether a query has to look at all: a ray hits nothing when a coordinate of it is NaN or beyond
+/// the limits above, or not t_min <= t_max.
 BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
-    float length = 0, sum = 0;
+    float length = 0, distance = 0, sum = 0;
     for (int k = 0; k < 3; ++k) {
         const float size = __builtin_fabsf(ray.direction[k]);
+        const float far = __builtin_fabsf(ray.origin[k]);
         if (size > length) length = size;
-        sum += 0 * ray.origin[k] + 0 * ray.direction[k];  // NaN unless all are finite
+        if (far > distance) distance = far;
+        sum += size + far;  // NaN if any is
     }
-    return sum == 0 && length >= 0x1p-60f && length <= 0x1p60f && ray.t_min <= ray.t_max;
+    return (sum == sum) & (length >= kShortestDirection) & (length <= kLongestDirection) &
+           (distance <= kFarthestOrigin) & (ray.t_min <= ray.t_max);
 }
 
 /// Of the first three lanes.
@@ -63,7 +72,7 @@ struct RaySetup {
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
         // the ray by less than the rounding does not.
         const auto size = Quad::abs(direction);
-        const auto tiny = Quad::broadcast(0x1p-40f * largest<Quad>(size));
+        const auto tiny = Quad::broadcast(kLeastSlope * largest<Quad>(size));
         const auto reciprocal =
             Quad::broadcast(1) / Quad::copy_sign(Quad::max(size, tiny), direction);
 
