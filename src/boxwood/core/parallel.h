@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
 
 #include <cstddef>
 
@@ -19,6 +20,21 @@ void parallel_for(std::size_t count, std::size_t smallest_piece, const Body& bod
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, smallest_piece),
                       [&](const auto& range) { body(range.begin(), range.end()); });
+}
+
+/// Combines what map(begin, end) gives for pieces of [0, count) of at least the given size;
+/// identity for none. How many pieces there are depends on the threads, so combining must not
+/// round.
+template <class Value, class Map, class Combine>
+Value parallel_reduce(std::size_t count, std::size_t smallest_piece, const Value& identity,
+                      const Map& map, const Combine& combine) {
+    if (count <= smallest_piece) return count > 0 ? map(std::size_t{0}, count) : identity;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, smallest_piece), identity,
+        [&](const auto& range, const Value& value) {
+            return combine(value, map(range.begin(), range.end()));
+        },
+        combine);
 }
 
 /// Calls both functions, side by side where the work is worth a task.
