@@ -179,6 +179,13 @@ TriangleMesh one_spans_everything() {
     return mesh;
 }
 
+/// What is worth a look lies in a millionth of the width of all.
+TriangleMesh one_far_away() {
+    TriangleMesh mesh = generate_soup(300, 8);
+    add_triangle(mesh, {1e7, 2e7, -1e7}, {1e7 + 1, 2e7, -1e7}, {1e7, 2e7 + 1, -1e7});
+    return mesh;
+}
+
 TriangleMesh exponential_sizes() {
     Random random(25);
     TriangleMesh mesh;
@@ -293,6 +300,7 @@ const std::vector<MeshFamily>& mesh_families() {
         {"with_bad_vertices", with_bad_vertices},
         {"only_nan", only_nan},
         {"one_spans_everything", one_spans_everything},
+        {"one_far_away", one_far_away},
         {"exponential_sizes", exponential_sizes},
         {"exponential_places", exponential_places},
         {"tiny", tiny},

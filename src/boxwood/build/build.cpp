@@ -5,6 +5,7 @@
 
 #include "boxwood/build/binned_sah.h"
 #include "boxwood/build/median.h"
+#include "boxwood/build/morton.h"
 
 namespace boxwood {
 
@@ -23,6 +24,8 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
             return build_agglomerative(boxes, {options.cost});
         case BuildMethod::binned_sah:
             return build_binned_sah(boxes);
+        case BuildMethod::morton:
+            return build_morton(boxes);
     }
     return {};
 }
@@ -43,6 +46,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"median", BuildMethod::median},
         {"agglomerative", BuildMethod::agglomerative},
         {"binned_sah", BuildMethod::binned_sah},
+        {"morton", BuildMethod::morton},
     };
     return kMethods;
 }

@@ -14,7 +14,7 @@ namespace boxwood {
 
 // The index of the builders: one place that knows them all by name.
 
-enum class BuildMethod { median, agglomerative, binned_sah };
+enum class BuildMethod { median, agglomerative, binned_sah, morton };
 
 struct BuildOptions {
     BuildMethod method = BuildMethod::binned_sah;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top-down construction without looking at any box: sort the primitives along a curve that fills
+// space cell by cell, each cell split in two halves. A node is then a range of the sorted codes,
+// and its split the place where the highest bit in which they differ turns from 0 to 1. Primitives
+// that share a cell get new codes within their own bounds, so that one far away doesn't push all
+// others into one cell. O(n) for the codes and the sort, O(n log n) for the searches.
+// Sources: Lauterbach et al., "Fast BVH Construction on GPUs", Computer Graphics Forum 28(2), 2009;
+// Karras, "Maximizing Parallelism in the Construction of BVHs, Octrees, and k-d Trees", High
+// Performance Graphics 2012. Explained in docs/algorithms/morton.md.
+#include "boxwood/build/morton.h"
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+#include <vector>
+
+#include "boxwood/build/morton_order.h"
+#include "boxwood/build/slots.h"
+#include "boxwood/core/error.h"
+#include "boxwood/core/parallel.h"
+
+namespace boxwood {
+
+namespace {
+
+/// Below this depth cells aren't cut anew. What is in one of them is halved by index.
+constexpr int kDeepestRefinement = 33;
+
+constexpr std::uint32_t kPrefetch = 48;
+
+struct Range {
+    std::uint32_t begin, end;
+    int depth;
+
+    std::uint32_t size() const { return end - begin; }
+};
+
+/// A part of the tree that one task builds. Its nodes count from 0 until they are put in place.
+struct Subtree {
+    Range range;
+    std::uint32_t root;  ///< in the tree
+    std::vector<Node> nodes = {};
+};
+
+class MortonBuilder {
+public:
+    MortonBuilder(std::span<const Box3f> boxes, std::uint32_t largest_leaf)
+        : boxes_(boxes),
+          largest_leaf_(largest_leaf),
+          memory_(std::make_unique_for_overwrite<MortonKey[]>(2 * boxes.size())),
+          keys_(memory_.get(), boxes.size()),
+          scratch_(memory_.get() + boxes.size(), boxes.size()) {}
+
+    Tree build() && {
+        number_primitives(keys_);
+        tree_.order.resize(boxes_.size());
+        tree_.nodes.resize(1);
+        split_into_subtrees(0, {0, static_cast<std::uint32_t>(boxes_.size()), 0});
+        parallel_for(subtrees_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) build_subtree(subtrees_[i]);
+        });
+        put_in_place();
+        return std::move(tree_);
+    }
+
+private:
+    void split_into_subtrees(std::uint32_t index, const Range& range) {
+        if (range.size() <= std::max(kSmallestTask, largest_leaf_)) {
+            subtrees_.push_back({range, index});
+            return;
+        }
+        const std::uint32_t middle = split(range);
+        const std::uint32_t left = add_children(tree_.nodes, index);
+        split_into_subtrees(left, {range.begin, middle, range.depth + 1});
+        split_into_subtrees(left + 1, {middle, range.end, range.depth + 1});
+    }
+
+    void build_subtree(Subtree& subtree) {
+        subtree.nodes.reserve(2 * subtree.range.size() / ((largest_leaf_ + 1) / 2));
+        subtree.nodes.resize(1);
+        build_node(subtree.nodes, 0, subtree.range);
+    }
+
+    void build_node(std::vector<Node>& nodes, std::uint32_t index, const Range& range) {
+        if (range.size() <= largest_leaf_) {
+            make_leaf(nodes[index], range);
+            return;
+        }
+        const std::uint32_t middle = split(range);
+        const std::uint32_t left = add_children(nodes, index);
+        build_node(nodes, left, {range.begin, middle, range.depth + 1});
+        build_node(nodes, left + 1, {middle, range.end, range.depth + 1});
+        nodes[index].box = merged(nodes[left].box, nodes[left + 1].box);
+    }
+
+    static std::uint32_t add_children(std::vector<Node>& nodes, std::uint32_t index) {
+        const auto left = static_cast<std::uint32_t>(nodes.size());
+        nodes.resize(left + 2);
+        nodes[index].first = left;
+        return left;
+    }
+
+    void make_leaf(Node& node, const Range& range) {
+        node.first = range.begin;
+        node.count = range.size();
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            // Boxes lie anywhere in memory: ask early for those of leaves to come.
+            const std::size_t ahead = std::min<std::size_t>(i + kPrefetch, keys_.size() - 1);
+            __builtin_prefetch(&boxes_[primitive_of(keys_[ahead])]);
+            tree_.order[i] = primitive_of(keys_[i]);
+            node.box.extend(boxes_[tree_.order[i]]);
+        }
+    }
+
+    /// The first key of the right side.
+    std::uint32_t split(const Range& range) {
+        const auto keys = keys_.subspan(range.begin, range.size());
+        const auto is_one_cell = [&] { return code_of(keys.front()) == code_of(keys.back()); };
+        if (is_one_cell() && range.depth <= kDeepestRefinement)
+            sort_by_morton_code(boxes_, keys, scratch_.subspan(range.begin, range.size()));
+        if (is_one_cell()) return range.begin + (range.size() + 1) / 2;
+
+        const std::uint32_t last = code_of(keys.back());
+        const int bit = std::bit_width(code_of(keys.front()) ^ last) - 1;
+        const MortonKey first_of_right = morton_key(last >> bit << bit, 0);
+        const auto middle = std::lower_bound(keys.begin(), keys.end(), first_of_right);
+        return range.begin + static_cast<std::uint32_t>(middle - keys.begin());
+    }
+
+    /// Behind the nodes above the subtrees, one subtree after another; roots are there already.
+    void put_in_place() {
+        const auto top = static_cast<std::uint32_t>(tree_.nodes.size());
+        std::vector<std::uint32_t> place(subtrees_.size() + 1, top);
+        for (std::size_t i = 0; i < subtrees_.size(); ++i)
+            place[i + 1] = place[i] + static_cast<std::uint32_t>(subtrees_[i].nodes.size()) - 1;
+        tree_.nodes.resize(place.back());
+        parallel_for(subtrees_.size(), 16, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::vector<Node>& nodes = subtrees_[i].nodes;
+                const auto moved = [&](Node node) {
+                    if (!node.is_leaf()) node.first += place[i] - 1;
+                    return node;
+                };
+                tree_.nodes[subtrees_[i].root] = moved(nodes[0]);
+                std::transform(nodes.begin() + 1, nodes.end(), tree_.nodes.begin() + place[i],
+                               moved);
+            }
+        });
+        // Children come after their parents, so that backwards each box is known before it's
+        // needed.
+        for (std::uint32_t i = top; i-- > 0;) {
+            Node& node = tree_.nodes[i];
+            if (!node.is_leaf() && node.first < top)
+                node.box = merged(tree_.nodes[node.left()].box, tree_.nodes[node.right()].box);
+        }
+    }
+
+    std::span<const Box3f> boxes_;
+    std::uint32_t largest_leaf_;
+    std::unique_ptr<MortonKey[]> memory_;
+    std::span<MortonKey> keys_, scratch_;
+    std::vector<Subtree> subtrees_;
+    Tree tree_;
+};
+
+}  // namespace
+
+Tree build_morton(std::span<const Box3f> boxes, const MortonOptions& options) {
+    if (options.largest_leaf < 1) throw InvalidInput("build_morton: expected leaves of at least 1");
+    if (boxes.empty()) return {};
+    return MortonBuilder(boxes, options.largest_leaf).build();
+}
+
+}  // namespace boxwood

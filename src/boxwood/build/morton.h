@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+struct MortonOptions {
+    std::uint32_t largest_leaf = 4;  ///< primitives, at least 1
+};
+
+/// The fastest builder, for what moves: splits space, not the primitives, at the middle of ever
+/// smaller cells. O(n log n) time, near O(n) on meshes; depth at most 63 + log2 n whatever the
+/// boxes; all cores, the same tree for any number of them. Throws InvalidInput on leaves of 0.
+Tree build_morton(std::span<const Box3f> boxes, const MortonOptions& options = {});
+
+}  // namespace boxwood
