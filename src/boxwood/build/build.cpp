@@ -6,6 +6,7 @@
 #include "boxwood/build/binned_sah.h"
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
+#include "boxwood/build/ploc.h"
 
 namespace boxwood {
 
@@ -26,6 +27,8 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
             return build_binned_sah(boxes);
         case BuildMethod::morton:
             return build_morton(boxes);
+        case BuildMethod::ploc:
+            return build_ploc(boxes);
     }
     return {};
 }
@@ -47,6 +50,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"agglomerative", BuildMethod::agglomerative},
         {"binned_sah", BuildMethod::binned_sah},
         {"morton", BuildMethod::morton},
+        {"ploc", BuildMethod::ploc},
     };
     return kMethods;
 }
