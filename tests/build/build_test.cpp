@@ -7,6 +7,7 @@
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
+#include "boxwood/build/sweep_sah.h"
 #include "boxwood/mesh/generate.h"
 #include "laws/hits.h"
 
@@ -25,6 +26,8 @@ TEST(Build, methods_and_costs_reach_their_builders) {
     EXPECT_TRUE(
         are_identical(build_tree(boxes, {.method = BuildMethod::morton}), build_morton(boxes)));
     EXPECT_TRUE(are_identical(build_tree(boxes, {.method = BuildMethod::ploc}), build_ploc(boxes)));
+    EXPECT_TRUE(are_identical(build_tree(boxes, {.method = BuildMethod::sweep_sah}),
+                              build_sweep_sah(boxes)));
     for (const auto& [name, cost] : merge_costs()) {
         const BuildOptions options = {.method = BuildMethod::agglomerative, .cost = cost};
         EXPECT_TRUE(
@@ -37,7 +40,7 @@ TEST(Build, methods_and_costs_have_their_names) {
     std::vector<std::string_view> names;
     for (const auto& method : build_methods()) names.push_back(method.name);
     EXPECT_EQ(names, (std::vector<std::string_view>{"median", "agglomerative", "binned_sah",
-                                                    "morton", "ploc"}));
+                                                    "morton", "ploc", "sweep_sah"}));
     ASSERT_EQ(merge_costs().size(), 3u);
     EXPECT_EQ(merge_costs()[0].name, "centroid_distance");
     EXPECT_EQ(merge_costs()[1].name, "volume_increase");

@@ -7,6 +7,7 @@
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
+#include "boxwood/build/sweep_sah.h"
 
 namespace boxwood {
 
@@ -29,6 +30,8 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
             return build_morton(boxes);
         case BuildMethod::ploc:
             return build_ploc(boxes);
+        case BuildMethod::sweep_sah:
+            return build_sweep_sah(boxes);
     }
     return {};
 }
@@ -51,6 +54,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"binned_sah", BuildMethod::binned_sah},
         {"morton", BuildMethod::morton},
         {"ploc", BuildMethod::ploc},
+        {"sweep_sah", BuildMethod::sweep_sah},
     };
     return kMethods;
 }

@@ -14,7 +14,7 @@ namespace boxwood {
 
 // The index of the builders: one place that knows them all by name.
 
-enum class BuildMethod { median, agglomerative, binned_sah, morton, ploc };
+enum class BuildMethod { median, agglomerative, binned_sah, morton, ploc, sweep_sah };
 
 struct BuildOptions {
     BuildMethod method = BuildMethod::binned_sah;
