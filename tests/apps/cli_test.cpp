@@ -156,9 +156,9 @@ TEST_F(Cli, bad_files_end_with_one_line_and_no_picture) {
     expect_failure("render missing.json", "missing.json: No such file or directory");
     expect_failure("render .", ".: found a directory, expected a file");
     write("empty.json", "");
-    expect_failure("render empty.json", "empty.json:1: syntax error");
+    expect_failure("render empty.json", "empty.json:1: found end of input, expected ");
     write("broken.json", "{\n\"Scene\":\n]}");
-    expect_failure("render broken.json", "broken.json:3: syntax error");
+    expect_failure("render broken.json", "broken.json:3: found ']', expected ");
     write("cube.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
     expect_failure("render scene.json", "cube.off:6: ");
     write("cube.off", "OFF\n3000000000000000000 1 0\n");

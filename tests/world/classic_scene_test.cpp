@@ -8,6 +8,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "boxwood/core/error.h"
 #include "temp_dir.h"
@@ -278,41 +280,81 @@ TEST_F(ClassicScene, document_that_is_no_object_is_reported) {
     EXPECT_EQ(message_of("null"), ":$: found null, expected an object");
 }
 
-TEST_F(ClassicScene, key_twice_in_one_object_is_reported) {
+TEST_F(ClassicScene, key_twice_in_one_object_is_reported_with_the_line_of_the_second) {
     std::string text = valid_scene().dump(2);
-    text.insert(text.find("\"FocalLength\""), "\"LensRadius\": 1, ");
-    EXPECT_NE(message_of(text).find("found key 'LensRadius' twice in one object"),
-              std::string::npos)
-        << message_of(text);
+    const std::size_t first = text.find("\"FocalLength\"");
+    text.insert(first, "\"LensRadius\": 1,\n");
+    const std::size_t second = text.find("\"LensRadius\"", first + 5);
+    const auto line = 1 + std::count(text.begin(), text.begin() + second, '\n');
+    EXPECT_EQ(message_of(text),
+              ":" + std::to_string(line) +
+                  ": found key \"LensRadius\" twice in one object, expected it once");
+    EXPECT_EQ(message_of("{\"\": 1,\n\"\": 2}"),
+              ":2: found key \"\" twice in one object, expected it once");
+    EXPECT_EQ(message_of("{\"a\": {\"b\": 1}, \"b\": 1,\n\n\"\\u0061\"\n: 1}"),
+              ":3: found key \"a\" twice in one object, expected it once");
 }
 
-TEST_F(ClassicScene, what_is_no_json_is_reported_with_its_line) {
+TEST_F(ClassicScene, what_is_no_json_is_reported_with_line_found_and_expected) {
+    const std::string value = "expected '[', '{', or a literal";
+    const std::pair<std::string, std::string> kFaults[] = {
+        {"", ":1: found end of input, " + value},
+        {"\n\n", ":3: found end of input, " + value},
+        {"{\n\"Scene\": 01}", ":2: found number literal, expected '}'"},
+        {"{\n\n\"Scene\": {},\n}", ":4: found '}', expected string literal"},
+        {"{\"a\"\n1}", ":2: found number literal, expected ':'"},
+        {"[1 2]", ":1: found number literal, expected ']'"},
+        {"{} {}", ":1: found '{', expected end of input"},
+        {"{\"Scene\":\nNaN}", ":2: found \"NaN\", expected JSON (invalid literal)"},
+        {"{\"Scene\":\nnul}", ":2: found \"nul\", expected JSON (invalid literal)"},
+        {"truth", ":1: found \"truth\", expected JSON (invalid literal)"},
+        {"tru", ":1: found \"tru\", expected JSON (invalid literal)"},
+        {"{\"Scene\":\n?}", ":2: found \"?\", expected JSON (invalid literal)"},
+        {"{\n?}", ":2: found \"?\", expected string literal (invalid literal)"},
+        {"{\"'; expected \" ?}", ":1: found \"?\", expected ':' (invalid literal)"},
+        {"[\n1.\n]",
+         ":2: found \"1.<U+000A>\", expected JSON (invalid number; expected digit after '.')"},
+        {"[\"a\nb\"]",
+         ":1: found \"\\\"a<U+000A>\", expected JSON (invalid string: control character U+000A "
+         "(LF) "
+         "must be escaped to \\u000A or \\n)"},
+        {"\n[\"open",
+         ":2: found \"\\\"open\", expected JSON (invalid string: missing closing quote)"},
+        {"{\"a\": \"\xff\xfe\"}",
+         ":1: found \"\\\"\\ufffd\", expected JSON (invalid string: ill-formed UTF-8 byte)"},
+        {"\xef\xbb{}",
+         ":1: found \"\\ufffd{\", expected JSON (invalid BOM; must be 0xEF 0xBB 0xBF if given)"},
+        {std::string("{\n\0}", 4), ":2: found a zero byte, expected text"},
+        {std::string("{}\0", 3), ":1: found a zero byte, expected text"},
+    };
+    for (const auto& [text, message] : kFaults) EXPECT_EQ(message_of(text), message) << text;
+}
+
+TEST_F(ClassicScene, document_cut_short_is_reported_with_its_line) {
     const std::string text = valid_scene().dump(2);
-    std::string broken = text;
-    const std::size_t place = broken.find("\"Lights\"");
-    broken.insert(place, "?");
-    const auto line = 1 + std::count(broken.begin(), broken.begin() + place, '\n');
-    EXPECT_EQ(message_of(broken).find(":" + std::to_string(line) + ": "), 0u) << message_of(broken);
-
-    EXPECT_EQ(message_of("").find(":1: "), 0u) << message_of("");
-    EXPECT_EQ(message_of("\n\n").find(":3: "), 0u) << message_of("\n\n");
-    EXPECT_EQ(message_of("{\n\"Scene\": 01}").find(":2: "), 0u);
-    EXPECT_EQ(message_of("{\n\n\"Scene\": {},\n}").find(":4: "), 0u);
-    EXPECT_EQ(message_of("{\"Scene\": NaN}").find(":1: "), 0u);
-    EXPECT_EQ(message_of("{} {}").find(":1: "), 0u);
-    EXPECT_EQ(message_of("{\"a\": \"\xff\xfe\"}").find(":1: "), 0u);
-    EXPECT_EQ(message_of(std::string("{\0}", 3)).find(":1: "), 0u);
-    for (std::size_t length = 0; length < text.size(); length += 7)
-        EXPECT_EQ(message_of(text.substr(0, length)).find(":"), 0u) << length;
+    for (std::size_t length = 0; length < text.size(); length += 7) {
+        const std::string part = text.substr(0, length);
+        const auto line = 1 + std::count(part.begin(), part.end(), '\n');
+        const std::string message = message_of(part);
+        EXPECT_EQ(message.find(":" + std::to_string(line) + ": found "), 0u) << message;
+        EXPECT_NE(message.find(", expected "), std::string::npos) << message;
+    }
 }
 
-TEST_F(ClassicScene, numbers_beyond_double_are_reported) {
-    std::string text = valid_scene().dump();
+TEST_F(ClassicScene, numbers_beyond_double_are_reported_with_their_line) {
+    const std::string expected = ", expected a number of at most 1.8e308 in size";
+    std::string text = valid_scene().dump(2);
     const std::string number = "0.7854";
-    text.replace(text.find(number), number.size(), "1e999");
-    EXPECT_NE(message_of(text).find("found a number too large for double precision"),
-              std::string::npos)
-        << message_of(text);
+    const std::size_t place = text.find(number);
+    text.replace(place, number.size(), "1e999");
+    const auto line = 1 + std::count(text.begin(), text.begin() + place, '\n');
+    EXPECT_EQ(message_of(text), ":" + std::to_string(line) + ": found 1e999" + expected);
+
+    EXPECT_EQ(message_of("1e309"), ":1: found 1e309" + expected);
+    EXPECT_EQ(message_of("\n-1e+309\n"), ":2: found -1e+309" + expected);
+    EXPECT_EQ(message_of("[1,\n2,-1E999,\n4]"), ":2: found -1E999" + expected);
+    EXPECT_EQ(message_of("[\n" + std::string(400, '9') + "\n]"),
+              ":2: found " + std::string(37, '9') + "..." + expected);
 }
 
 TEST_F(ClassicScene, deep_nesting_is_reported_and_no_crash) {

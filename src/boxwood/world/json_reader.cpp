@@ -5,53 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
-#include <set>
 #include <utility>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/files.h"
+#include "boxwood/world/parse_json.h"
 
 namespace boxwood {
 
 using nlohmann::json;
-
-namespace {
-
-std::size_t line_of(std::string_view text, std::size_t byte) {
-    return 1 + std::count(text.begin(), text.begin() + std::min(byte, text.size()), '\n');
-}
-
-/// A value as a reader of the message would recognise it.
-std::string description(const json& value) {
-    if (value.is_array()) return fmt::format("an array of {}", value.size());
-    if (value.is_object()) return "an object";
-    std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-    if (text.size() > 40) text = text.substr(0, 37) + "...";
-    return text;
-}
-
-/// JSON's own rule leaves open which of two equal keys counts, so neither does.
-class KeysOnce {
-public:
-    bool operator()(int, json::parse_event_t event, json& parsed) {
-        if (event == json::parse_event_t::object_start) {
-            keys_.emplace_back();
-        } else if (event == json::parse_event_t::object_end) {
-            keys_.pop_back();
-        } else if (event == json::parse_event_t::key && !keys_.back().insert(parsed).second) {
-            repeated_ = parsed.get<std::string>();
-        }
-        return true;
-    }
-    const std::string& repeated() const { return repeated_; }
-
-private:
-    std::vector<std::set<std::string>> keys_;
-    std::string repeated_;
-};
-
-}  // namespace
 
 JsonReader::JsonReader(std::shared_ptr<const json> document, const json* value, std::string file,
                        std::string path)
@@ -62,23 +24,8 @@ JsonReader::JsonReader(std::shared_ptr<const json> document, const json* value, 
 
 JsonReader JsonReader::read_file(const std::filesystem::path& path) {
     const MappedFile file(path);
-    const std::string_view text = file.text();
-    KeysOnce keys;
-    try {
-        auto document =
-            std::make_shared<const json>(json::parse(text.begin(), text.end(), std::ref(keys)));
-        if (!keys.repeated().empty())
-            throw ParseError(path.string(), "",
-                             fmt::format("found key '{}' twice in one object", keys.repeated()));
-        return {document, document.get(), path.string(), "$"};
-    } catch (const json::parse_error& error) {
-        const std::string what = error.what();
-        const std::size_t reason = what.find("syntax error");
-        throw ParseError(path.string(), line_of(text, error.byte),
-                         reason == std::string::npos ? what : what.substr(reason));
-    } catch (const json::out_of_range& error) {
-        throw ParseError(path.string(), "", "found a number too large for double precision");
-    }
+    auto document = std::make_shared<const json>(parse_json(file.text(), path.string()));
+    return {document, document.get(), path.string(), "$"};
 }
 
 JsonReader JsonReader::operator[](const std::string& key) const {

@@ -17,7 +17,7 @@ namespace boxwood {
 /// "file:$.Path.To[3].It: found ..., expected ...". Every function throws ParseError.
 class JsonReader {
 public:
-    /// Reads a whole file. Throws IoError, and ParseError with the line where it isn't JSON.
+    /// Reads a whole file. Throws IoError, and ParseError as parse_json() does.
     static JsonReader read_file(const std::filesystem::path& path);
 
     /// The value of a key of an object.
