@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "boxwood/build/merge_scan.h"
+#include "boxwood/tree/parents.h"
 
 namespace boxwood {
 
@@ -149,6 +150,7 @@ private:
                 to_do.emplace_back(merges_[name - boxes_.size()].first, left);
             }
         }
+        add_parents(tree);
         return tree;
     }
 

@@ -9,7 +9,8 @@ namespace boxwood {
 TreeStatistics statistics(const Tree& tree) {
     TreeStatistics result;
     result.nodes = tree.nodes.size();
-    result.bytes = tree.nodes.size() * sizeof(Node) + tree.order.size() * sizeof(std::uint32_t);
+    result.bytes = tree.nodes.size() * sizeof(Node) +
+                   (tree.order.size() + tree.parents.size()) * sizeof(std::uint32_t);
     if (tree.is_empty()) return result;
 
     double area_times_cost = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,11 +24,18 @@ struct Node {
     std::uint32_t right() const { return first + 1; }
 };
 
+/// As deep as trees may be without Tree::parents.
+constexpr std::size_t kDeepestWithoutParents = 80;
+
 /// A binary AABB tree over primitives known by their index: what every builder makes, and what is
 /// queried, measured and drawn. The root is node 0; a tree over nothing has no nodes.
 struct Tree {
     std::vector<Node> nodes;
     std::vector<std::uint32_t> order;  ///< a permutation of the primitives; leaves are ranges of it
+    /// The parent of each node, 0 for the root, if the tree is deeper than kDeepestWithoutParents;
+    /// else empty. A query remembers its way back in a shallow tree and looks it up in a deep one,
+    /// so that it needs no memory of its own. See add_parents().
+    std::vector<std::uint32_t> parents;
 
     bool is_empty() const { return nodes.empty(); }
     const Node& root() const { return nodes.front(); }

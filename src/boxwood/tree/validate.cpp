@@ -5,7 +5,27 @@
 
 #include <vector>
 
+#include "boxwood/tree/parents.h"
+
 namespace boxwood {
+
+namespace {
+
+std::optional<std::string> find_fault_of_parents(const Tree& tree) {
+    Tree expected = tree;
+    add_parents(expected);
+    const auto& parents = expected.parents;
+    if (tree.parents.size() != parents.size())
+        return fmt::format("{} parents, expected {}", tree.parents.size(), parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        if (tree.parents[i] != parents[i])
+            return fmt::format("node {} has parent {}, expected {}", i, tree.parents[i],
+                               parents[i]);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes) {
     if (tree.order.size() != boxes.size())
@@ -55,7 +75,7 @@ std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> b
         return fmt::format("{} of {} nodes are reached", nodes, tree.nodes.size());
     if (primitives != boxes.size())
         return fmt::format("{} of {} primitives are in leaves", primitives, boxes.size());
-    return std::nullopt;
+    return find_fault_of_parents(tree);
 }
 
 }  // namespace boxwood

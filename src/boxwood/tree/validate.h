@@ -10,8 +10,8 @@
 namespace boxwood {
 
 /// What is wrong with a tree over these boxes, one line for the first fault found; nothing when it
-/// is valid: each primitive in exactly one leaf, each node reached exactly once, and each box the
-/// smallest around what is below it. O(n).
+/// is valid: each primitive in exactly one leaf, each node reached exactly once, each box the
+/// smallest around what is below it, and parents where the tree is deep. O(n).
 std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes);
 
 }  // namespace boxwood
