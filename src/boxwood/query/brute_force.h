@@ -9,8 +9,8 @@
 
 namespace boxwood {
 
-/// The answer of closest_hit(), by testing every triangle. O(n) time, and eight bytes a
-/// vertex in each thread that asks.
+/// The answer of closest_hit(), by testing every triangle: the oracle of all trees. O(n), no
+/// memory.
 std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
                                            TraversalCounts* counts = nullptr) noexcept;
 
