@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 
+#include "boxwood/core/error.h"
 #include "cli/commands.h"
 
 // Exits with 0, with 1 and one line on stderr when something failed, or with 2 on wrong usage.
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "boxwood: error: out of memory\n");
     } catch (const std::exception& error) {
-        fmt::print(stderr, "boxwood: error: {}\n", error.what());
+        fmt::print(stderr, "boxwood: error: {}\n", boxwood::one_line(error.what()));
     }
     return 1;
 }

@@ -165,6 +165,10 @@ TEST_F(Cli, bad_files_end_with_one_line_and_no_picture) {
     expect_failure("render scene.json", "cube.off:2: ");
     expect_failure("info nothing.off", "nothing.off: No such file or directory");
     expect_failure("info nothing.xyz", "nothing.xyz");
+    expect_failure("info \"$(printf 'two\\nlines.off')\"", "two?lines.off: No such file");
+    write_scene("two\\nlines.xyz");
+    write("two\nlines.xyz", "");
+    expect_failure("render scene.json", "two?lines.xyz: found .xyz, expected a mesh file");
     expect_failure("convert icosphere:20 missing/out.off", "missing/out.off");
 }
 

@@ -184,8 +184,8 @@ TEST_F(ClassicScene, every_key_is_required) {
                 scene = valid_scene();
                 scene[pointer][unknown] = 1;
                 EXPECT_EQ(message_of(scene.dump())
-                              .find(":" + as_path(object) + ": found unknown key '" + unknown +
-                                    "', expected "),
+                              .find(":" + as_path(object) + ": found unknown key \"" + unknown +
+                                    "\", expected "),
                           0u)
                     << message_of(scene.dump());
             }
@@ -266,6 +266,12 @@ TEST_F(ClassicScene, faults_are_reported_with_their_path_what_was_found_and_expe
         {"/Objects/2/Path", "missing.off",
          ":$.Objects[2].Path: found \"missing.off\", expected a mesh file beside the scene or in "
          "the data folder"},
+        {"/Objects/2/Path", std::string("triangle.off\0", 13),
+         ":$.Objects[2].Path: found \"triangle.off\\u0000\", expected a mesh file beside the scene "
+         "or in the data folder"},
+        {"/Objects/2/Path", std::string(5000, 'a') + ".off",
+         ":$.Objects[2].Path: found \"aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...\", expected a mesh "
+         "file beside the scene or in the data folder"},
     };
     for (const auto& [pointer, value, message] : kFaults) {
         SCOPED_TRACE(pointer);
@@ -354,7 +360,7 @@ TEST_F(ClassicScene, numbers_beyond_double_are_reported_with_their_line) {
     EXPECT_EQ(message_of("\n-1e+309\n"), ":2: found -1e+309" + expected);
     EXPECT_EQ(message_of("[1,\n2,-1E999,\n4]"), ":2: found -1E999" + expected);
     EXPECT_EQ(message_of("[\n" + std::string(400, '9') + "\n]"),
-              ":2: found " + std::string(37, '9') + "..." + expected);
+              ":2: found " + std::string(36, '9') + "..." + expected);
 }
 
 TEST_F(ClassicScene, deep_nesting_is_reported_and_no_crash) {

@@ -7,10 +7,18 @@
 
 namespace boxwood {
 
+/// The text on one line, whatever was quoted from a file or stands in a file's name.
+inline std::string one_line(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    }
+    return text;
+}
+
 /// What every failure of the library is thrown as. The message is one line without a full stop.
 class Error : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit Error(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 /// An argument that breaks a documented precondition.
@@ -19,14 +27,10 @@ public:
     using Error::Error;
 };
 
-/// The text on one line of bearable length, whatever was quoted from a file.
-inline std::string one_line(std::string text) {
+/// The text at a bearable length.
+inline std::string shortened(const std::string& text) {
     constexpr std::size_t kLongest = 400;
-    if (text.size() > kLongest) text = text.substr(0, kLongest) + " ...";
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < ' ') c = '?';
-    }
-    return text;
+    return text.size() > kLongest ? text.substr(0, kLongest) + " ..." : text;
 }
 
 /// A file that doesn't hold what its format demands: "file:line: found ..., expected ...".
@@ -35,7 +39,7 @@ public:
     /// The place is a line number, a JSON path or whatever finds the fault in the file; an empty
     /// place is left out.
     ParseError(const std::string& file, const std::string& place, const std::string& message)
-        : Error(file + (place.empty() ? "" : ":" + place) + ": " + one_line(message)) {}
+        : Error(file + (place.empty() ? "" : ":" + place) + ": " + shortened(message)) {}
     ParseError(const std::string& file, std::size_t line, const std::string& message)
         : ParseError(file, std::to_string(line), message) {}
 };

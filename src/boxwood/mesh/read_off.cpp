@@ -79,12 +79,12 @@ private:
         }
         if (scanner.accept("4") || scanner.accept("n"))
             fail(scanner,
-                 fmt::format("{} is not supported, only vertices with three coordinates", found));
+                 fmt::format("found {}, expected OFF, for vertices of three coordinates", found));
         // No look at what follows: in many files the first count does, without a blank.
         if (!scanner.accept("OFF"))
             fail(scanner, fmt::format("found {}, expected the keyword OFF", found));
         if (!scanner.at_end_of_line() && scanner.accept("BINARY"))
-            fail(scanner, "'OFF BINARY' is not supported, only OFF as text");
+            fail(scanner, "found 'OFF BINARY', expected OFF as text");
     }
 
     std::size_t read_count(TextScanner& scanner, const char* what) const {
@@ -204,20 +204,19 @@ private:
     }
 
     [[noreturn]] void fail_number(TextScanner scanner) const {
-        fail(scanner, fmt::format("{} is not a number", quoted(scanner.word())));
+        fail(scanner, fmt::format("found {}, expected a number", quoted(scanner.word())));
     }
     [[noreturn]] void fail_integer(TextScanner scanner) const {
-        fail(scanner, fmt::format("{} is not a whole number", quoted(scanner.word())));
+        fail(scanner, fmt::format("found {}, expected a whole number", quoted(scanner.word())));
     }
     [[noreturn]] void fail_size(TextScanner scanner, std::size_t vertex) const {
         const std::string_view word = scanner.word();
         // Of all that reads as a number, only nan and inf have letters other than an e.
         const bool is_name = word.find_first_of("nN") != word.npos;
-        fail(scanner, is_name
-                          ? fmt::format("vertex {} is not finite: found {}", vertex, quoted(word))
-                          : fmt::format("vertex {} is too far out: found {}, expected at most "
-                                        "3.4e38 in size",
-                                        vertex, quoted(word)));
+        fail(scanner, is_name ? fmt::format("vertex {}: found {}, expected a finite number", vertex,
+                                            quoted(word))
+                              : fmt::format("vertex {}: found {}, expected at most 3.4e38 in size",
+                                            vertex, quoted(word)));
     }
 
     void join_faces() {

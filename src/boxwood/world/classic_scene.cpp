@@ -56,7 +56,9 @@ TriangleMesh read_mesh_of(const JsonReader& json, const Folders& folders) {
     if (!folders.data.empty()) places.push_back(folders.data / name);
     for (const fs::path& place : places) {
         std::error_code ignored;
-        if (fs::exists(place, ignored)) return read_mesh(place);
+        // The system would take a zero byte for the end of the name.
+        const bool is_name = name.find('\0') == name.npos;
+        if (is_name && fs::exists(place, ignored)) return read_mesh(place);
     }
     json["Path"].fail("a mesh file beside the scene or in the data folder");
 }

@@ -39,9 +39,9 @@ void JsonReader::expect_keys(std::initializer_list<std::string_view> keys) const
     if (!value_->is_object()) fail("an object");
     for (const auto& [key, value] : value_->items()) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            throw ParseError(
-                file_, path_,
-                fmt::format("found unknown key '{}', expected {}", key, fmt::join(keys, ", ")));
+            throw ParseError(file_, path_,
+                             fmt::format("found unknown key {}, expected {}", description(key),
+                                         fmt::join(keys, ", ")));
     }
     for (const std::string_view key : keys) {
         if (!value_->contains(key))

@@ -106,7 +106,7 @@ private:
         const std::string_view number =
             text_.substr(begin, text_.find_first_not_of(kNumber, begin) - begin);
         fail(begin, fmt::format("found {}, expected a number of at most 1.8e308 in size",
-                                number.size() > 40 ? fmt::format("{}...", number.substr(0, 37))
+                                number.size() > 40 ? fmt::format("{}...", number.substr(0, 36))
                                                    : std::string(number)));
     }
 
@@ -162,7 +162,7 @@ std::string description(const json& value) {
     if (value.is_array()) return fmt::format("an array of {}", value.size());
     if (value.is_object()) return "an object";
     std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-    if (text.size() > 40) text = text.substr(0, 37) + "...";
+    if (text.size() > 40) text = text.substr(0, 36) + (value.is_string() ? "...\"" : "...");
     return text;
 }
 
