@@ -68,7 +68,7 @@ TEST(MappedFile, pipe_is_an_io_error_and_nothing_to_wait_for) {
     const TempDir dir;
     ASSERT_EQ(mkfifo((dir / "pipe").c_str(), 0600), 0);
     const std::string message = io_error_of([&] { MappedFile file(dir / "pipe"); });
-    EXPECT_EQ(message, (dir / "pipe").string() + ": expected a regular file");
+    EXPECT_EQ(message, (dir / "pipe").string() + ": found a device or a pipe, expected a file");
 }
 
 TEST(OutputFile, appears_when_committed) {

@@ -47,7 +47,8 @@ public:
 /// A file that can't be opened, read or written: "file: reason".
 class IoError : public Error {
 public:
-    IoError(const std::string& file, const std::string& reason) : Error(file + ": " + reason) {}
+    IoError(const std::string& file, const std::string& reason)
+        : Error((file.empty() ? "''" : file) + ": " + reason) {}
 };
 
 }  // namespace boxwood

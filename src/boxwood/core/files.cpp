@@ -29,8 +29,9 @@ MappedFile::MappedFile(const fs::path& path) {
     const bool is_regular = fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     if (!is_regular) {
         close(file);
-        throw IoError(path.string(), S_ISDIR(status.st_mode) ? "found a directory, expected a file"
-                                                             : "expected a regular file");
+        throw IoError(path.string(), S_ISDIR(status.st_mode)
+                                         ? "found a directory, expected a file"
+                                         : "found a device or a pipe, expected a file");
     }
     size_ = static_cast<std::size_t>(status.st_size);
     if (size_ > 0) {
