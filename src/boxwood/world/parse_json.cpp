@@ -29,11 +29,13 @@ std::size_t line_of(std::string_view text, std::size_t place) {
 /// Walks through the text for the parser and leaves word of how far it has come.
 class Cursor {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): the names that the standard asks iterators for.
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     Cursor(const char* at, const char*& furthest) : at_(at), furthest_(&furthest) {}
 
