@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "boxwood/scene/scene.h"
+#include "boxwood/world/camera.h"
+#include "peers/peer.h"
+
+namespace boxwood::bench {
+
+enum class RayKind {
+    primary,  ///< closest hit: from cameras
+    ao,       ///< any hit: short, into the half space above what primary rays see
+    diffuse,  ///< closest hit: as those, but as long as may be
+    random    ///< closest hit: chords of the ball around the mesh
+};
+
+inline constexpr RayKind kRayKinds[] = {RayKind::primary, RayKind::ao, RayKind::diffuse,
+                                        RayKind::random};
+
+std::string_view name_of(RayKind kind);
+
+struct RayOptions {
+    std::size_t count = 524'288;  ///< of each kind, about
+    /// Primary rays come in tiles of this many pixels squared, row by row with 0; the secondary
+    /// rays follow them.
+    int tile = 16;
+};
+
+struct RaySet {
+    RayKind kind;
+    std::vector<PlainRay> rays;
+    std::vector<double> truth;  ///< the exact t of the closest hit, infinite for none
+
+    bool wants_any() const { return kind == RayKind::ao; }
+};
+
+/// The same rays each time. They start off the surface by more than any peer's error, so that none
+/// meets the triangle it comes from. The scene must be of the vertices that the peers get.
+std::vector<RaySet> make_ray_sets(const Scene& scene, const std::vector<Camera>& views,
+                                  const std::vector<RayKind>& kinds, const RayOptions& options);
+
+}  // namespace boxwood::bench
