@@ -131,8 +131,8 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 100'000'000))
         ->capture_default_str();
     app.add_option("--tile", options.rays.tile,
-                   "primary rays in tiles of so many pixels squared; 0: row by row")
-        ->check(CLI::Range(0, 256))
+                   "side of the tiles in which primary rays come, in pixels; 1: row by row")
+        ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64, 128, 256}))
         ->capture_default_str();
     app.add_option("--passes", options.passes, "passes to take the median of")
         ->check(CLI::Range(1, 1000))

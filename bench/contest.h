@@ -41,6 +41,9 @@ std::vector<Score> run_contest(const std::string& mesh, const RaySet& set,
 /// "single", "packets of 8" ...
 std::string_view name_of(Mode mode);
 
+/// Of this process, all threads together.
+double processor_seconds();
+
 double median(std::vector<double> values);
 
 }  // namespace boxwood::bench

@@ -42,21 +42,28 @@ Ray exact(const PlainRay& ray) {
             .t_max = ray.t_max};
 }
 
+/// Every second bit, closed up.
+int even_bits(int x) {
+    int result = 0;
+    for (int bit = 0; bit < 16; ++bit) result |= (x >> (2 * bit) & 1) << bit;
+    return result;
+}
+
 std::vector<PlainRay> primary_rays(const std::vector<Camera>& views, const RayOptions& options) {
     // Pictures of whole tiles.
     const int tile = std::max(options.tile, 1);
     const double pixels = static_cast<double>(options.count) / static_cast<double>(views.size());
     const int side = std::max(1, static_cast<int>(std::sqrt(pixels) / tile)) * tile;
-    const int block = options.tile > 0 ? tile : side;
     std::vector<PlainRay> rays;
-    for (const Camera& camera : views)
-        for (int y0 = 0; y0 < side; y0 += block)
-            for (int x0 = 0; x0 < side; x0 += block)
-                for (int y = y0; y < y0 + block; ++y)
-                    for (int x = x0; x < x0 + block; ++x) {
-                        const Ray ray = camera.ray({.film = {x + 0.5, y + 0.5}}, side, side);
-                        rays.push_back(plain(ray.origin, ray.direction));
-                    }
+    for (const Camera& camera : views) {
+        const auto add = [&](int x, int y) {
+            const Ray ray = camera.ray({.film = {x + 0.5, y + 0.5}}, side, side);
+            rays.push_back(plain(ray.origin, ray.direction));
+        };
+        for (int y = 0; y < side; y += tile)
+            for (int x = 0; x < side; x += tile)
+                for (int i = 0; i < tile * tile; ++i) add(x + even_bits(i), y + even_bits(i >> 1));
+    }
     return rays;
 }
 

@@ -25,8 +25,9 @@ std::string_view name_of(RayKind kind);
 
 struct RayOptions {
     std::size_t count = 524'288;  ///< of each kind, about
-    /// Primary rays come in tiles of this many pixels squared, row by row with 0; the secondary
-    /// rays follow them.
+    /// Primary rays come in square tiles of this many pixels a side, a power of two, and in each in
+    /// Morton order, so that packets of 8 and 16 get pixels side by side; 1 is row by row. The
+    /// secondary rays follow them.
     int tile = 16;
 };
 

@@ -9,8 +9,8 @@
 
 namespace boxwood::bench {
 
-/// Four cameras for a mesh of that name. Those of an interior, a stadium and an atrium stand inside
-/// of it; of anything else they stand around it and see all of it.
+/// Two cameras for a mesh of that name. Those of an interior, a stadium and an atrium stand inside
+/// of it; of anything else they stand around it and see nearly all of it.
 std::vector<Camera> views_of(std::string_view mesh, const Box3d& bounds);
 
 }  // namespace boxwood::bench
