@@ -68,8 +68,7 @@ std::vector<Score> measure(const BenchMesh& mesh, const Peers& peers, const Opti
         if (set.rays.empty()) continue;
         std::vector<Contestant> contestants;
         for (std::size_t i = 0; i < peers.size(); ++i)
-            for (const auto& who :
-                 contestants_for(set.kind, *peers[i], *trees[i], options.threads))
+            for (const auto& who : contestants_for(set.kind, *peers[i], *trees[i], options.threads))
                 contestants.push_back(who);
         for (const Score& score : run_contest(mesh.name, set, contestants, options.passes))
             scores.push_back(score);

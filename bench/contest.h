@@ -26,10 +26,11 @@ struct Score {
     std::string name;
     Mode mode;
     int threads;
-    double mrays;            ///< million rays a second: the median of the passes
+    double mrays;  ///< million rays a second: the median of the passes
     std::size_t rays;
-    std::size_t wrong_hits;  ///< rays that hit where they should miss, or miss where they should hit
-    std::size_t wrong_t;     ///< rays that hit at another t, relative difference beyond 1e-4
+    std::size_t
+        wrong_hits;       ///< rays that hit where they should miss, or miss where they should hit
+    std::size_t wrong_t;  ///< rays that hit at another t, relative difference beyond 1e-4
 };
 
 /// All contestants trace the rays in turn, pass by pass, so that what disturbs the machine disturbs

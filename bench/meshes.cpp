@@ -33,8 +33,7 @@ TriangleMesh subdivided(const TriangleMesh& mesh, int parts) {
             for (int j = 0; j <= i; ++j) {
                 result.faces.emplace_back(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
                 if (j < i)
-                    result.faces.emplace_back(vertex(i, j), vertex(i + 1, j + 1),
-                                              vertex(i, j + 1));
+                    result.faces.emplace_back(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
             }
         }
     }

@@ -90,8 +90,8 @@ std::vector<PlainRay> rays_from(const std::vector<Surface>& surfaces, double rad
     for (std::size_t i = 0; i < count && !surfaces.empty(); ++i) {
         const Surface& from = surfaces[i * surfaces.size() / count];
         const Vec3d direction = from.normal + 0.999 * on_sphere(i, dimension);
-        rays.push_back(plain(from.point + kOffSurface * radius * from.normal,
-                             direction.normalized(), t_max));
+        rays.push_back(
+            plain(from.point + kOffSurface * radius * from.normal, direction.normalized(), t_max));
     }
     return rays;
 }
@@ -99,7 +99,8 @@ std::vector<PlainRay> rays_from(const std::vector<Surface>& surfaces, double rad
 std::vector<PlainRay> chords(const Vec3d& center, double radius, std::size_t count) {
     std::vector<PlainRay> rays;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d from = center + radius * on_sphere(i, 0), to = center + radius * on_sphere(i, 2);
+        const Vec3d from = center + radius * on_sphere(i, 0),
+                    to = center + radius * on_sphere(i, 2);
         rays.push_back(plain(from, (to - from).normalized()));
     }
     return rays;
@@ -133,8 +134,9 @@ std::vector<RaySet> make_ray_sets(const Scene& scene, const std::vector<Camera>&
         RaySet set = {kind, {}, {}};
         if (kind == RayKind::primary) set.rays = primary;
         if (kind == RayKind::ao)
-            set.rays = rays_from(surfaces, radius, static_cast<float>(kAmbientOcclusionReach * radius),
-                                 0, options.count);
+            set.rays =
+                rays_from(surfaces, radius, static_cast<float>(kAmbientOcclusionReach * radius), 0,
+                          options.count);
         if (kind == RayKind::diffuse)
             set.rays = rays_from(surfaces, radius, kInfinity, 2, options.count);
         if (kind == RayKind::random) set.rays = chords(center, radius, options.count);

@@ -117,8 +117,7 @@ void print_scores(const std::vector<Score>& scores, const std::vector<RayKind>& 
                 fmt::print("{:>20}", "");
                 continue;
             }
-            fmt::print("{:>12.2f}{:>8.2f}", score->mrays,
-                       mean_ratio(scores, name, kind));
+            fmt::print("{:>12.2f}{:>8.2f}", score->mrays, mean_ratio(scores, name, kind));
             wrong_hits += score->wrong_hits;
             wrong_t += score->wrong_t;
         }

@@ -59,14 +59,13 @@ double geometric_mean(const std::vector<double>& values) {
 }
 
 nlohmann::ordered_json report(const std::vector<Target>& targets) {
-    nlohmann::ordered_json json = {
-        {"machine",
-         {{"processor", processor()},
-          {"cores", std::thread::hardware_concurrency()},
-          {"isa", has_avx512() ? "avx512" : "avx2"}}},
-        {"compiler", __VERSION__},
-        {"commit", BOXWOOD_COMMIT},
-        {"targets", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {{"machine",
+                                    {{"processor", processor()},
+                                     {"cores", std::thread::hardware_concurrency()},
+                                     {"isa", has_avx512() ? "avx512" : "avx2"}}},
+                                   {"compiler", __VERSION__},
+                                   {"commit", BOXWOOD_COMMIT},
+                                   {"targets", nlohmann::ordered_json::array()}};
     for (const Target& target : targets)
         json["targets"].push_back({{"name", target.name},
                                    {"ratio", target.ratio},

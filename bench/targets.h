@@ -12,7 +12,7 @@ struct Target {
     std::string name;
     double ratio = 0;
     double target = 0;
-    double worst = 1;        ///< the least ratio of any mesh
+    double worst = 1;  ///< the least ratio of any mesh
     double worst_allowed = 0;
     std::string worst_mesh = {};
 

@@ -42,10 +42,14 @@ public:
             hits[i].triangle = hit ? hit->triangle : kNoTriangle;
             if (!hit) continue;
             const Vec3f normal = geometric_normal(mesh_, hit->triangle).cast<float>();
-            hits[i] = {static_cast<float>(hit->t), static_cast<float>(hit->u),
-                       static_cast<float>(hit->v), hit->triangle,
-                       normal.x(),                 normal.y(),
-                       normal.z(),                 0};
+            hits[i] = {static_cast<float>(hit->t),
+                       static_cast<float>(hit->u),
+                       static_cast<float>(hit->v),
+                       hit->triangle,
+                       normal.x(),
+                       normal.y(),
+                       normal.z(),
+                       0};
         }
     }
 

@@ -67,19 +67,18 @@ private:
                     Triangles::const_iterator triangle) const {
         const Kernel::Vector_3 direction = direction_of(ray);
         const Kernel::Vector_3 e1 = (*triangle)[1] - (*triangle)[0],
-                               e2 = (*triangle)[2] - (*triangle)[0],
-                               p = point - (*triangle)[0];
+                               e2 = (*triangle)[2] - (*triangle)[0], p = point - (*triangle)[0];
         const Kernel::Vector_3 normal = CGAL::cross_product(e1, e2);
         const double area = normal.squared_length();
-        return {static_cast<float>((point - origin_of(ray)) * direction /
-                                   direction.squared_length()),
-                static_cast<float>(CGAL::cross_product(p, e2) * normal / area),
-                static_cast<float>(CGAL::cross_product(e1, p) * normal / area),
-                static_cast<std::uint32_t>(triangle - triangles_.begin()),
-                static_cast<float>(normal.x()),
-                static_cast<float>(normal.y()),
-                static_cast<float>(normal.z()),
-                0};
+        return {
+            static_cast<float>((point - origin_of(ray)) * direction / direction.squared_length()),
+            static_cast<float>(CGAL::cross_product(p, e2) * normal / area),
+            static_cast<float>(CGAL::cross_product(e1, p) * normal / area),
+            static_cast<std::uint32_t>(triangle - triangles_.begin()),
+            static_cast<float>(normal.x()),
+            static_cast<float>(normal.y()),
+            static_cast<float>(normal.z()),
+            0};
     }
 
     Triangles triangles_;

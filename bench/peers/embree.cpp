@@ -37,8 +37,7 @@ public:
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetGeometryBuildQuality(geometry, of_embree);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   mesh.vertices.data(), 0, 3 * sizeof(float),
-                                   mesh.vertex_count());
+                                   mesh.vertices.data(), 0, 3 * sizeof(float), mesh.vertex_count());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                    mesh.faces.data(), 0, 3 * sizeof(std::uint32_t),
                                    mesh.face_count());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two versions of Embree differ in how a query is told what it may assume of its rays. Here they
-// look the same; the rest of the peer is one source, compiled once a version.
+// The two versions of Embree differ in how a query is told what it may assume of its rays. Here
+// they look the same; the rest of the peer is one source, compiled once a version.
 #pragma once
 
 #if BOXWOOD_EMBREE == 4
@@ -18,8 +18,8 @@ public:
     EmbreeCalls(RTCScene scene, bool coherent) : scene_(scene) {
         rtcInitIntersectArguments(&closest_);
         rtcInitOccludedArguments(&any_);
-        closest_.flags = any_.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT
-                                               : RTC_RAY_QUERY_FLAG_INCOHERENT;
+        closest_.flags = any_.flags =
+            coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
     }
     void closest(RTCRayHit& ray) { rtcIntersect1(scene_, &ray, &closest_); }
     void closest(const int* lanes, RTCRayHit8& r) { rtcIntersect8(lanes, scene_, &r, &closest_); }

@@ -70,14 +70,11 @@ void get_hits(const RayHits& from, int lane, PlainHit* to) {
         return _mm256_load_ps(reinterpret_cast<const float*>(place) + lane);
     };
     // The only geometry is number 0, and nothing hit is -1: one "or" puts it into the triangle.
-    __m256 rows[8] = {load(from.ray.tfar),
-                      load(from.hit.u),
-                      load(from.hit.v),
-                      _mm256_or_ps(load(from.hit.primID), load(from.hit.geomID)),
-                      load(from.hit.Ng_x),
-                      load(from.hit.Ng_y),
-                      load(from.hit.Ng_z),
-                      _mm256_setzero_ps()};
+    __m256 rows[8] = {
+        load(from.ray.tfar), load(from.hit.u),
+        load(from.hit.v),    _mm256_or_ps(load(from.hit.primID), load(from.hit.geomID)),
+        load(from.hit.Ng_x), load(from.hit.Ng_y),
+        load(from.hit.Ng_z), _mm256_setzero_ps()};
     transpose8(rows);
     for (int i = 0; i < 8; ++i) _mm256_storeu_ps(&to[i].t, rows[i]);
 }

@@ -85,4 +85,5 @@ using Peers = std::vector<std::unique_ptr<Peer>>;
 }  // namespace boxwood::bench
 
 /// What a peer that is a module of its own exports: adds its peers to the list.
-extern "C" __attribute__((visibility("default"))) void boxwood_bench_add_peers(boxwood::bench::Peers& peers);
+extern "C" __attribute__((visibility("default"))) void boxwood_bench_add_peers(
+    boxwood::bench::Peers& peers);

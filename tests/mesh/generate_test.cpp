@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -101,12 +102,14 @@ TEST(Generate, gives_the_same_bits_on_every_machine) {
     EXPECT_EQ(fingerprint(generate("gyroid", 2000)), 1408248423776802360u);
     EXPECT_EQ(fingerprint(generate("terrain", 2000)), 10515815494648717730u);
     EXPECT_EQ(fingerprint(generate("soup", 2000)), 8692860549059084631u);
+    EXPECT_EQ(fingerprint(generate("stadium", 2000)), 1540739743061011410u);
+    EXPECT_EQ(fingerprint(generate("interior", 10000)), 16929058264071956984u);
 }
 
 TEST(Generate, names_the_shapes_there_are_when_asked_for_another) {
     EXPECT_EQ(complaint_about("teapot", 100),
               "no shape is called 'teapot', expected one of icosphere, torus_knot, gyroid, "
-              "terrain, soup");
+              "terrain, soup, stadium, interior");
 }
 
 TEST(Generate, rejects_more_triangles_than_an_int_can_index) {
@@ -149,6 +152,41 @@ TEST(Terrain, has_only_its_rim_as_boundary) {
 TEST(Terrain, is_another_range_for_another_seed) {
     EXPECT_FALSE(same(generate_terrain(1000, 1), generate_terrain(1000, 2)));
     EXPECT_TRUE(same(generate_terrain(1000), generate_terrain(1000, 1)));
+}
+
+/// The share of the triangles that lie within that distance of the origin.
+double share_within(double radius, MeshView mesh) {
+    std::size_t count = 0;
+    for (const Vec3d& centroid : triangle_centroids(mesh)) count += centroid.norm() < radius;
+    return static_cast<double>(count) / static_cast<double>(mesh.faces.size());
+}
+
+/// The share of the triangles whose longest side is ten times their height over it, or more.
+double share_of_slivers(MeshView mesh) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Vec3d a = mesh.corner(i, 0), b = mesh.corner(i, 1), c = mesh.corner(i, 2);
+        const double longest =
+            std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        count += longest > 10 * (b - a).cross(c - a).norm();
+    }
+    return static_cast<double>(count) / static_cast<double>(mesh.faces.size());
+}
+
+TEST(Stadium, has_nearly_all_triangles_in_its_middle) {
+    EXPECT_GT(share_within(0.04, generate_stadium(100000)), 0.85);
+    EXPECT_GT(share_within(0.04, generate_stadium(1000000)), 0.98);
+}
+
+TEST(Stadium, is_a_hall_of_long_thin_triangles) {
+    EXPECT_GT(share_of_slivers(generate_stadium(10000)), 0.03);
+}
+
+TEST(Interior, fills_its_hall_with_triangles_of_all_sizes) {
+    const TriangleMesh mesh = generate_interior(100000);
+    EXPECT_GT(inspect(mesh).bounds.extent().minCoeff(), 0.7);
+    EXPECT_LT(share_within(0.3, mesh), 0.3);
+    EXPECT_GT(share_of_slivers(mesh), 0.01);
 }
 
 TEST(Soup, has_sides_of_about_one_over_the_cube_root_of_the_count) {

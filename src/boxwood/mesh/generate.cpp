@@ -18,8 +18,8 @@ constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
 }  // namespace
 
 const std::vector<std::string_view>& generated_shapes() {
-    static const std::vector<std::string_view> kShapes = {"icosphere", "torus_knot", "gyroid",
-                                                          "terrain", "soup"};
+    static const std::vector<std::string_view> kShapes = {
+        "icosphere", "torus_knot", "gyroid", "terrain", "soup", "stadium", "interior"};
     return kShapes;
 }
 
@@ -32,6 +32,8 @@ TriangleMesh generate(std::string_view shape, std::size_t triangles) {
     if (shape == "gyroid") return generate_gyroid(triangles);
     if (shape == "terrain") return generate_terrain(triangles);
     if (shape == "soup") return generate_soup(triangles);
+    if (shape == "stadium") return generate_stadium(triangles);
+    if (shape == "interior") return generate_interior(triangles);
     throw InvalidInput(fmt::format("no shape is called '{}', expected one of {}", shape,
                                    fmt::join(generated_shapes(), ", ")));
 }

@@ -32,6 +32,14 @@ TriangleMesh generate_terrain(std::size_t triangles, std::uint32_t seed = 1);
 /// Triangles of random place and shape with sides of about 1 / cbrt(n): the builders' worst enemy.
 TriangleMesh generate_soup(std::size_t triangles, std::uint32_t seed = 1);
 
+/// A hall of few large, long and thin triangles, with a teapot in its middle that has nearly all of
+/// them: z up, the floor at 0, the teapot 0.02 across at the origin. Open.
+TriangleMesh generate_stadium(std::size_t triangles);
+
+/// A hall with a vault, windows, columns, arches, stairs and things that stand about: z up, the
+/// floor at 0, the longer side along x. Open.
+TriangleMesh generate_interior(std::size_t triangles);
+
 /// The names that generate() knows, in the order above.
 const std::vector<std::string_view>& generated_shapes();
 
