@@ -72,6 +72,11 @@ BenchMesh load_bench_mesh(const std::string& argument) {
     return result;
 }
 
+bool is_scene(std::string_view name) {
+    return name.starts_with("interior") || name.starts_with("stadium") ||
+           name.starts_with("atrium");
+}
+
 std::vector<std::string> default_meshes() {
     std::vector<std::string> result;
     const auto add = [&](const std::filesystem::path& path, const std::string& suffix,

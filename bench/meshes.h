@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "boxwood/mesh/triangle_mesh.h"
@@ -26,6 +27,10 @@ struct BenchMesh {
 /// and count as in gyroid:100k. With "@k" after it each triangle is cut into k * k.
 /// Throws as the readers do.
 BenchMesh load_bench_mesh(const std::string& argument);
+
+/// Whether a mesh of that name is a place to be in, with a camera inside, and not a thing to look
+/// at.
+bool is_scene(std::string_view name);
 
 /// What is measured when nothing is named: the meshes of ./dev data, generated scenes, the atrium
 /// below the folder that the environment's BOXWOOD_SHARED names. Files that aren't there are left

@@ -8,6 +8,8 @@
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/random.h"
+#include "boxwood/scene/scene.h"
+#include "views.h"
 
 namespace boxwood::bench {
 
@@ -121,12 +123,13 @@ std::string_view name_of(RayKind kind) {
     return kNames[static_cast<int>(kind)];
 }
 
-std::vector<RaySet> make_ray_sets(const Scene& scene, const std::vector<Camera>& views,
-                                  const std::vector<RayKind>& kinds, const RayOptions& options) {
-    const Box3d box = bounds(scene.meshes()[0]);
+std::vector<RaySet> make_ray_sets(const BenchMesh& mesh, const std::vector<RayKind>& kinds,
+                                  const RayOptions& options) {
+    const Scene scene({mesh.exact});
+    const Box3d box = bounds(mesh.exact);
     const Vec3d center = box.centroid();
     const double radius = box.extent().norm() / 2;
-    const std::vector<PlainRay> primary = primary_rays(views, options);
+    const std::vector<PlainRay> primary = primary_rays(views_of(mesh.name, box), options);
     const std::vector<Surface> surfaces = seen_surface(scene, primary);
 
     std::vector<RaySet> sets;
@@ -140,6 +143,7 @@ std::vector<RaySet> make_ray_sets(const Scene& scene, const std::vector<Camera>&
         if (kind == RayKind::diffuse)
             set.rays = rays_from(surfaces, radius, kInfinity, 2, options.count);
         if (kind == RayKind::random) set.rays = chords(center, radius, options.count);
+        if (set.rays.empty()) continue;
         find_truth(scene, set);
         sets.push_back(std::move(set));
     }

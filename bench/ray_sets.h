@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "boxwood/scene/scene.h"
-#include "boxwood/world/camera.h"
+#include "meshes.h"
 #include "peers/peer.h"
 
 namespace boxwood::bench {
@@ -39,9 +38,9 @@ struct RaySet {
     bool wants_any() const { return kind == RayKind::ao; }
 };
 
-/// The same rays each time. They start off the surface by more than any peer's error, so that none
-/// meets the triangle it comes from. The scene must be of the vertices that the peers get.
-std::vector<RaySet> make_ray_sets(const Scene& scene, const std::vector<Camera>& views,
-                                  const std::vector<RayKind>& kinds, const RayOptions& options);
+/// The same rays each time; kinds of which there are none are left out. Rays start off the surface
+/// by more than any peer's error, so that none meets the triangle it comes from.
+std::vector<RaySet> make_ray_sets(const BenchMesh& mesh, const std::vector<RayKind>& kinds,
+                                  const RayOptions& options);
 
 }  // namespace boxwood::bench

@@ -89,6 +89,7 @@ class Cgal : public Peer {
 public:
     std::string library() const override { return "cgal"; }
     std::string name() const override { return "cgal"; }
+    std::vector<Quality> qualities() const override { return {Quality::medium}; }
     std::unique_ptr<Accelerator> make(int) const override { return std::make_unique<CgalTree>(); }
 };
 

@@ -76,6 +76,9 @@ public:
     virtual std::string library() const = 0;  ///< "embree3"
     virtual std::string name() const = 0;     ///< "embree3 avx2"
     virtual std::vector<Mode> modes() const { return {Mode::single}; }
+    virtual std::vector<Quality> qualities() const {
+        return {Quality::low, Quality::medium, Quality::high};
+    }
     /// An empty accelerator that builds on that many threads. Not timed.
     virtual std::unique_ptr<Accelerator> make(int threads) const = 0;
 };

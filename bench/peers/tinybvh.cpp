@@ -30,7 +30,7 @@ public:
             tree_.Build(vertices, mesh.faces.data(), count);
     }
 
-    std::size_t bytes() const override { return std::size_t{16} * tree_.usedBlocks; }
+    std::size_t bytes() const override { return std::size_t{64} * tree_.usedBlocks; }
 
     void closest_hits(Mode, std::span<const PlainRay> rays, PlainHit* hits) const override {
         const FlushDenormals flush;
@@ -76,6 +76,7 @@ class Tinybvh : public Peer {
 public:
     std::string library() const override { return "tinybvh"; }
     std::string name() const override { return "tinybvh"; }
+    std::vector<Quality> qualities() const override { return {Quality::medium, Quality::high}; }
     std::unique_ptr<Accelerator> make(int threads) const override {
         return std::make_unique<TinybvhTree>(threads);
     }
