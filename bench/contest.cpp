@@ -90,8 +90,9 @@ std::vector<Score> run_contest(const std::string& mesh, const RaySet& set,
                           set.rays.size(), 0, 0});
         check(set, answers, scores.back());
     }
-    std::vector<bool> takes_part;
-    for (auto& times : seconds) takes_part.push_back(times[0] < kTooSlow * fastest);
+    std::vector<bool> takes_part(contestants.size());
+    for (std::size_t i = 0; i < contestants.size(); ++i)
+        takes_part[i] = seconds[i][0] < kTooSlow * fastest;
     for (int pass = 0; pass < passes; ++pass) {
         for (std::size_t i = 0; i < contestants.size(); ++i) {
             if (!takes_part[i]) continue;

@@ -60,7 +60,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
 }
 
 int finish(const CommonOptions& options, const std::vector<Target>& targets,
-           const std::vector<Score>& scores, nlohmann::ordered_json details) {
+           const std::vector<Score>& scores, const nlohmann::ordered_json& details) {
     print_targets(targets);
     nlohmann::ordered_json json = report(targets);
     json.update(details);

@@ -28,7 +28,7 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 
 /// Prints the targets, writes the JSON, and tells the program's exit code.
 int finish(const CommonOptions& options, const std::vector<Target>& targets,
-           const std::vector<Score>& scores, nlohmann::ordered_json details);
+           const std::vector<Score>& scores, const nlohmann::ordered_json& details);
 
 /// The main() of a benchmark: errors are one line on stderr.
 int run_benchmark(CLI::App& app, int argc, char** argv, const std::function<int()>& run);

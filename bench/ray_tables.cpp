@@ -20,7 +20,7 @@ double best(const std::vector<Score>& scores, const Question& counts) {
     return result;
 }
 
-Question is_embree(const std::string& mesh, RayKind kind, std::vector<Mode> modes) {
+Question is_embree(const std::string& mesh, RayKind kind, const std::vector<Mode>& modes) {
     return [=](const Score& score) {
         return score.library.starts_with("embree") && score.mesh == mesh && score.kind == kind &&
                score.threads == 1 &&

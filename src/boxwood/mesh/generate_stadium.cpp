@@ -19,8 +19,9 @@ constexpr double kTeapot = 0.015;  ///< its radius; the stadium's is 1
 Patch terraces(int columns, int steps) {
     return {columns, 2 * steps, [steps](double u, double v) -> Vec3d {
                 const int edge = static_cast<int>(std::round(2 * steps * v));
-                const double run = static_cast<double>((edge + 1) / 2) / steps;
-                const double rise = static_cast<double>(edge / 2) / steps;
+                const int forward = (edge + 1) / 2, up = edge / 2;
+                const double run = static_cast<double>(forward) / steps;
+                const double rise = static_cast<double>(up) / steps;
                 const double turn = u == 1 ? 0 : u;
                 // The front looks inward and up.
                 return {(0.45 + 0.53 * run) * cos_turns(-turn),
