@@ -59,13 +59,15 @@ BenchMesh load_bench_mesh(const std::string& argument) {
         result.name += argument.substr(at);
     }
     // Room for a peer that reads four floats a vertex.
-    result.vertices.reserve(3 * result.exact.vertices.size() + 4);
-    for (Vec3d& vertex : result.exact.vertices) {
-        const Vec3f rounded = vertex.cast<float>();
-        vertex = rounded.cast<double>();
-        result.vertices.insert(result.vertices.end(), rounded.data(), rounded.data() + 3);
-    }
-    result.vertices.resize(result.vertices.size() + 4);
+    result.vertices.resize(3 * result.exact.vertices.size() + 4);
+    for (std::size_t i = 0; i < result.exact.vertices.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            result.vertices[3 * i + k] =
+                static_cast<float>(result.exact.vertices[i][static_cast<int>(k)]);
+    // In a loop of its own: GCC 12 takes a double for its own rounding to float and back where it
+    // vectorizes both steps together.
+    for (std::size_t i = 0; i < result.exact.vertices.size(); ++i)
+        result.exact.vertices[i] = Eigen::Map<const Vec3f>(&result.vertices[3 * i]).cast<double>();
     result.faces.reserve(3 * result.exact.faces.size());
     for (const Vec3i& face : result.exact.faces)
         for (const int index : face) result.faces.push_back(static_cast<std::uint32_t>(index));
