@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "boxwood/build/build.h"
 #include "boxwood/scene/scene.h"
+#include "boxwood/tree/validate.h"
 
 namespace boxwood {
 
@@ -28,6 +31,14 @@ inline std::vector<NamedBuild> all_builds() {
                               {.method = method.value, .cost = cost.value}});
     }
     return builds;
+}
+
+/// What is wrong with a tree that this method built, where some put parts of primitives into
+/// leaves.
+inline std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes,
+                                             BuildMethod method) {
+    return method == BuildMethod::spatial_split ? find_fault_in_split_tree(tree, boxes)
+                                                : find_fault(tree, boxes);
 }
 
 struct NamedAccelerator {

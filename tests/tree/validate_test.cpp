@@ -108,5 +108,53 @@ TEST(Validate, empty_boxes_are_primitives_like_others) {
     EXPECT_EQ(find_fault(tree, boxes), std::nullopt);
 }
 
+/// Primitive 0 is in both leaves, in two parts that meet at x = 1.
+Tree split_tree() {
+    Tree tree;
+    tree.nodes = {{box(0, 3), 1, 0}, {box(0, 1), 0, 1}, {box(1, 3), 1, 2}};
+    tree.order = {0, 1, 0};
+    return tree;
+}
+const std::vector<Box3f> kSplitBoxes = {box(0, 2), box(2, 3)};
+
+TEST(Validate, valid_split_trees_have_no_fault) {
+    EXPECT_EQ(find_fault_in_split_tree(split_tree(), kSplitBoxes), std::nullopt);
+    EXPECT_EQ(find_fault_in_split_tree(valid_tree(), kBoxes), std::nullopt);
+    EXPECT_EQ(find_fault_in_split_tree({}, {}), std::nullopt);
+}
+
+TEST(Validate, each_kind_of_fault_in_split_trees_is_found) {
+    const std::vector<Corruption> corruptions = {
+        {"no nodes", [](Tree& t) { t.nodes.clear(); }, "no nodes over 2 primitives"},
+        {"unknown primitive", [](Tree& t) { t.order[1] = 2; }, "unknown primitive 2"},
+        {"primitive twice in a leaf", [](Tree& t) { t.order[1] = 0; }, "holds primitive 0 twice"},
+        {"primitive in no leaf",
+         [](Tree& t) {
+             t.order[1] = 0;
+             t.nodes[2] = {box(1, 2), 1, 1};
+             t.nodes[0].box = box(0, 2);
+             t.order.pop_back();
+         },
+         "primitive 1 is in no leaf"},
+        {"leaves overlap", [](Tree& t) { t.nodes[1].count = 2; }, "is in two leaves"},
+        {"leaf too short", [](Tree& t) { t.nodes[2].count = 1; }, "larger than its"},
+        {"leaf beyond", [](Tree& t) { t.nodes[2].count = 3; }, "ends beyond"},
+        {"children beyond", [](Tree& t) { t.nodes[0].first = 2; }, "children beyond"},
+        {"cycle", [](Tree& t) { t.nodes[0].first = 0; }, ""},
+        {"root too large", [](Tree& t) { t.nodes[0].box.hi.y() = 2; }, "isn't tight"},
+        {"leaf too large", [](Tree& t) { t.nodes[2].box.hi.x() = t.nodes[0].box.hi.x() = 4; },
+         "larger than its primitives"},
+        {"part missing", [](Tree& t) { t.nodes[1].box.lo.x() = t.nodes[0].box.lo.x() = 0.5f; },
+         "primitive 0 sticks out"},
+    };
+    for (const auto& [what, corrupt, fault] : corruptions) {
+        Tree tree = split_tree();
+        corrupt(tree);
+        const auto found = find_fault_in_split_tree(tree, kSplitBoxes);
+        ASSERT_TRUE(found) << what;
+        EXPECT_NE(found->find(fault), std::string::npos) << what << ": " << *found;
+    }
+}
+
 }  // namespace
 }  // namespace boxwood

@@ -7,11 +7,13 @@
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
+#include "boxwood/build/spatial_split.h"
 #include "boxwood/build/sweep_sah.h"
 
 namespace boxwood {
 
 Tree build_tree(MeshView mesh, const BuildOptions& options) {
+    if (options.method == BuildMethod::spatial_split) return build_spatial_split(mesh);
     const std::vector<Box3f> boxes = triangle_boxes(mesh);
     if (options.method == BuildMethod::median)
         return build_median(boxes, {.centroids = triangle_centroids(mesh)});
@@ -25,6 +27,7 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
         case BuildMethod::agglomerative:
             return build_agglomerative(boxes, {options.cost});
         case BuildMethod::binned_sah:
+        case BuildMethod::spatial_split:
             return build_binned_sah(boxes);
         case BuildMethod::morton:
             return build_morton(boxes);
@@ -55,6 +58,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"morton", BuildMethod::morton},
         {"ploc", BuildMethod::ploc},
         {"sweep_sah", BuildMethod::sweep_sah},
+        {"spatial_split", BuildMethod::spatial_split},
     };
     return kMethods;
 }

@@ -14,7 +14,15 @@ namespace boxwood {
 
 // The index of the builders: one place that knows them all by name.
 
-enum class BuildMethod { median, agglomerative, binned_sah, morton, ploc, sweep_sah };
+enum class BuildMethod {
+    median,
+    agglomerative,
+    binned_sah,
+    morton,
+    ploc,
+    sweep_sah,
+    spatial_split
+};
 
 struct BuildOptions {
     BuildMethod method = BuildMethod::binned_sah;
@@ -25,7 +33,7 @@ struct BuildOptions {
 /// Precondition: indices in range.
 Tree build_tree(MeshView mesh, const BuildOptions& options = {});
 
-/// A tree over any boxes.
+/// A tree over any boxes. Boxes can't be split, so spatial_split gives what binned_sah does.
 Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options = {});
 
 /// What to tell somebody who waits for it when a build will take minutes or more; else nothing.

@@ -25,4 +25,18 @@ void close_gaps(std::vector<Node>& nodes) {
     nodes.shrink_to_fit();
 }
 
+void close_gaps_in_order(Tree& tree) {
+    std::vector<std::uint32_t> new_place(tree.order.size());
+    std::uint32_t used = 0;
+    for (std::size_t i = 0; i < tree.order.size(); ++i) {
+        new_place[i] = used;
+        if (tree.order[i] != kUnusedPlace) tree.order[used++] = tree.order[i];
+    }
+    tree.order.resize(used);
+    tree.order.shrink_to_fit();
+    for (Node& node : tree.nodes) {
+        if (node.is_leaf()) node.first = new_place[node.first];
+    }
+}
+
 }  // namespace boxwood

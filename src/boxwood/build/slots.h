@@ -22,4 +22,9 @@ constexpr std::uint32_t kSmallestTask = 2048;
 /// is a node that no split wrote, other than the root: first == 0 and count == 0.
 void close_gaps(std::vector<Node>& nodes);
 
+/// What stands in Tree::order where a builder left room and no leaf took it ...
+constexpr std::uint32_t kUnusedPlace = 0xffffffff;
+/// ... until this moves the others together.
+void close_gaps_in_order(Tree& tree);
+
 }  // namespace boxwood

@@ -31,7 +31,10 @@ constexpr std::size_t kDeepestWithoutParents = 80;
 /// queried, measured and drawn. The root is node 0; a tree over nothing has no nodes.
 struct Tree {
     std::vector<Node> nodes;
-    std::vector<std::uint32_t> order;  ///< a permutation of the primitives; leaves are ranges of it
+    /// The primitives, each at least once; leaves are ranges of it. A permutation, but where a
+    /// builder splits primitives: then several leaves may hold one, each with a box around a part,
+    /// and a leaf holds none twice.
+    std::vector<std::uint32_t> order;
     /// The parent of each node, 0 for the root, if the tree is deeper than kDeepestWithoutParents;
     /// else empty. A query remembers its way back in a shallow tree and looks it up in a deep one,
     /// so that it needs no memory of its own. See add_parents().
