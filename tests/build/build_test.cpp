@@ -7,6 +7,8 @@
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
+#include "boxwood/build/reinsertion.h"
+#include "boxwood/build/spatial_split.h"
 #include "boxwood/build/sweep_sah.h"
 #include "boxwood/mesh/generate.h"
 #include "laws/hits.h"
@@ -36,12 +38,28 @@ TEST(Build, methods_and_costs_reach_their_builders) {
     }
 }
 
+TEST(Build, methods_that_see_triangles_reach_their_builders) {
+    const TriangleMesh mesh = generate_soup(300);
+    Tree tree = build_spatial_split(mesh);
+    EXPECT_TRUE(are_identical(build_tree(mesh, {.method = BuildMethod::spatial_split}), tree));
+    optimize_by_reinsertion(tree);
+    EXPECT_TRUE(are_identical(build_tree(mesh, {.method = BuildMethod::reinsertion}), tree));
+}
+
+TEST(Build, boxes_are_never_split) {
+    const std::vector<Box3f> boxes = triangle_boxes(generate_soup(300));
+    Tree tree = build_binned_sah(boxes);
+    EXPECT_TRUE(are_identical(build_tree(boxes, {.method = BuildMethod::spatial_split}), tree));
+    optimize_by_reinsertion(tree);
+    EXPECT_TRUE(are_identical(build_tree(boxes, {.method = BuildMethod::reinsertion}), tree));
+}
+
 TEST(Build, methods_and_costs_have_their_names) {
     std::vector<std::string_view> names;
     for (const auto& method : build_methods()) names.push_back(method.name);
     EXPECT_EQ(names, (std::vector<std::string_view>{"median", "agglomerative", "binned_sah",
-                                                    "morton", "ploc", "sweep_sah",
-                                                    "spatial_split"}));
+                                                    "morton", "ploc", "sweep_sah", "spatial_split",
+                                                    "reinsertion"}));
     ASSERT_EQ(merge_costs().size(), 3u);
     EXPECT_EQ(merge_costs()[0].name, "centroid_distance");
     EXPECT_EQ(merge_costs()[1].name, "volume_increase");

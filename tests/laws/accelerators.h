@@ -37,8 +37,8 @@ inline std::vector<NamedBuild> all_builds() {
 /// leaves.
 inline std::optional<std::string> find_fault(const Tree& tree, std::span<const Box3f> boxes,
                                              BuildMethod method) {
-    return method == BuildMethod::spatial_split ? find_fault_in_split_tree(tree, boxes)
-                                                : find_fault(tree, boxes);
+    const bool splits = method == BuildMethod::spatial_split || method == BuildMethod::reinsertion;
+    return splits ? find_fault_in_split_tree(tree, boxes) : find_fault(tree, boxes);
 }
 
 struct NamedAccelerator {

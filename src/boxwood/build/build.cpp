@@ -7,13 +7,24 @@
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
+#include "boxwood/build/reinsertion.h"
 #include "boxwood/build/spatial_split.h"
 #include "boxwood/build/sweep_sah.h"
 
 namespace boxwood {
 
+namespace {
+
+Tree optimized(Tree tree) {
+    optimize_by_reinsertion(tree);
+    return tree;
+}
+
+}  // namespace
+
 Tree build_tree(MeshView mesh, const BuildOptions& options) {
     if (options.method == BuildMethod::spatial_split) return build_spatial_split(mesh);
+    if (options.method == BuildMethod::reinsertion) return optimized(build_spatial_split(mesh));
     const std::vector<Box3f> boxes = triangle_boxes(mesh);
     if (options.method == BuildMethod::median)
         return build_median(boxes, {.centroids = triangle_centroids(mesh)});
@@ -35,6 +46,8 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
             return build_ploc(boxes);
         case BuildMethod::sweep_sah:
             return build_sweep_sah(boxes);
+        case BuildMethod::reinsertion:
+            return optimized(build_binned_sah(boxes));
     }
     return {};
 }
@@ -59,6 +72,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"ploc", BuildMethod::ploc},
         {"sweep_sah", BuildMethod::sweep_sah},
         {"spatial_split", BuildMethod::spatial_split},
+        {"reinsertion", BuildMethod::reinsertion},
     };
     return kMethods;
 }

@@ -21,7 +21,8 @@ enum class BuildMethod {
     morton,
     ploc,
     sweep_sah,
-    spatial_split
+    spatial_split,
+    reinsertion,  ///< spatial_split, and then optimize_by_reinsertion(): the cheapest tree
 };
 
 struct BuildOptions {
@@ -33,7 +34,7 @@ struct BuildOptions {
 /// Precondition: indices in range.
 Tree build_tree(MeshView mesh, const BuildOptions& options = {});
 
-/// A tree over any boxes. Boxes can't be split, so spatial_split gives what binned_sah does.
+/// A tree over any boxes. Boxes can't be split, so binned_sah stands in for spatial_split.
 Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options = {});
 
 /// What to tell somebody who waits for it when a build will take minutes or more; else nothing.
