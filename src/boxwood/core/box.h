@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "boxwood/core/vec.h"
@@ -65,21 +67,33 @@ struct Box {
 using Box3f = Box<float>;
 using Box3d = Box<double>;
 
+/// The largest float that isn't above x, and the smallest that isn't below. Rounding to nearest
+/// keeps the sign, that of zero included, so one step of the bits from there is one towards or away
+/// from zero. No branches: nobody could predict where rounding goes.
+inline float rounded_down(double x) {
+    const auto nearest = static_cast<float>(x);
+    const auto bits = std::bit_cast<std::int32_t>(nearest);
+    const std::int32_t one_up = bits >> 31 | 1;
+    return std::bit_cast<float>(bits - (one_up & -std::int32_t{nearest > x}));
+}
+inline float rounded_up(double x) {
+    const auto nearest = static_cast<float>(x);
+    const auto bits = std::bit_cast<std::int32_t>(nearest);
+    const std::int32_t one_up = bits >> 31 | 1;
+    return std::bit_cast<float>(bits + (one_up & -std::int32_t{nearest < x}));
+}
+
 /// The smallest float box that contains the given one. Empty, so that no query ever visits it, when
 /// a coordinate is NaN, infinite or beyond the range of float.
 inline Box3f rounded_outward(const Box3d& box) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Box3f result;
+    bool is_finite = true;
     for (int k = 0; k < 3; ++k) {
-        float lo = static_cast<float>(box.lo[k]);
-        float hi = static_cast<float>(box.hi[k]);
-        if (lo > box.lo[k]) lo = std::nextafter(lo, -kInfinity);
-        if (hi < box.hi[k]) hi = std::nextafter(hi, kInfinity);
-        if (!std::isfinite(lo) || !std::isfinite(hi)) return {};
-        result.lo[k] = lo;
-        result.hi[k] = hi;
+        result.lo[k] = rounded_down(box.lo[k]);
+        result.hi[k] = rounded_up(box.hi[k]);
+        is_finite &= std::isfinite(result.lo[k]) & std::isfinite(result.hi[k]);
     }
-    return result;
+    return is_finite ? result : Box3f();
 }
 
 }  // namespace boxwood

@@ -28,15 +28,7 @@ void check_indices(MeshView mesh) {
 std::vector<Box3f> triangle_boxes(MeshView mesh) {
     std::vector<Box3f> boxes(mesh.faces.size());
     parallel_for(boxes.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Box3d box;
-            bool finite = true;
-            for (int k = 0; k < 3; ++k) {
-                finite &= mesh.corner(i, k).allFinite();
-                box.extend(mesh.corner(i, k));
-            }
-            if (finite) boxes[i] = rounded_outward(box);
-        }
+        for (std::size_t i = begin; i < end; ++i) boxes[i] = triangle_box(mesh, i);
     });
     return boxes;
 }

@@ -29,8 +29,18 @@ struct TriangleMesh {
 /// Throws InvalidInput, naming the face, when a face has an index outside [0, vertices).
 void check_indices(MeshView mesh);
 
-/// The box of each triangle, rounded outward to float: empty when a corner is not finite or beyond
-/// the range of float, so that no query visits the triangle. O(n), all cores.
+/// The box of a triangle, rounded outward to float: empty when a corner is not finite or beyond the
+/// range of float, so that no query visits the triangle.
+inline Box3f triangle_box(MeshView mesh, std::size_t face) {
+    const Vec3d& a = mesh.corner(face, 0);
+    const Vec3d& b = mesh.corner(face, 1);
+    const Vec3d& c = mesh.corner(face, 2);
+    // min and max may hide a NaN. A sum keeps it, and overflows only beyond the range of float.
+    if (!(0 * (a + b + c).array() == 0).all()) return {};
+    return rounded_outward({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+}
+
+/// The triangle_box() of each triangle. O(n), all cores.
 std::vector<Box3f> triangle_boxes(MeshView mesh);
 
 /// The mean of each triangle's corners. O(n), all cores.
