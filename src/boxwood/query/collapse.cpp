@@ -18,7 +18,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
@@ -32,6 +32,9 @@ namespace {
 /// Costs of a visit to a node and to a leaf, as measured.
 constexpr float kNodeCost = 1;
 constexpr float kBlockCost = 0.8f;
+/// Where one block will do, several have to bring the cost down to this share: memory costs as
+/// well.
+constexpr float kWorthMoreBlocks = 0.75f;
 
 /// Trees that are deeper are made flatter first, which bounds the stack of a walk:
 /// (kDeepest + 32) * 15 places are less than kStackSize.
@@ -39,6 +42,8 @@ constexpr int kDeepest = 120;
 
 /// Subtrees of fewer triangles are done by the task that comes to them.
 constexpr std::uint32_t kSmallestTask = 4096;
+/// What is left below this depth is planned by the task that comes to it.
+constexpr int kTaskDepth = 8;
 
 template <int N>
 class Collapser {
@@ -57,7 +62,7 @@ public:
     std::optional<Collapsed> run() {
         if (!plan(0, 0)) return std::nullopt;
         Collapsed result;
-        result.cost = rows_[0][1];
+        result.cost = cost(0, 1);
         result.memory = Arena(measure(0));
         result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
@@ -66,13 +71,19 @@ public:
     }
 
 private:
-    /// Costs of a subtree with up to i places, from 1 on.
-    using Row = std::array<float, N + 1>;
+    /// What is known of a binary node: first the costs of its subtree, later, where a wide node
+    /// stands for it, the children of that.
+    union Row {
+        float costs[N];  ///< with up to i + 1 places
+        std::uint32_t children[N];
+    };
 
     struct Plan {
-        std::uint32_t count;  ///< triangles
-        std::uint32_t units;  ///< of memory, where it becomes a node
-        int stack_size;       ///< likewise
+        std::uint32_t count;    ///< triangles
+        std::uint32_t units;    ///< of memory, where it becomes a node
+        int stack_size;         ///< likewise
+        std::uint8_t children;  ///< likewise
+        std::uint8_t places;    ///< that it can use at most
         bool is_leaf;
     };
 
@@ -91,116 +102,143 @@ private:
         return static_cast<float>(node.box.surface_area() * inverse_area_);
     }
 
+    float cost(std::uint32_t index, int places) const { return rows_[index].costs[places - 1]; }
+
     /// Fills plans and rows from the leaves up; false where it is too deep.
     bool plan(std::uint32_t index, int depth) {
         const Node& node = tree_.nodes[index];
-        const float area = relative_area(node);
-        Row& row = rows_[index];
         if (node.is_leaf()) {
             if (node.count > N)
                 throw InvalidInput("WideTree: a leaf of the tree has more triangles than a block");
-            plans_[index] = {node.count, 0, 0, true};
-            row.fill(area * kBlockCost);
+            plans_[index] = {node.count, 0, 0, 0, 1, true};
+            rows_[index].costs[0] = relative_area(node) * kBlockCost;
             return true;
         }
         if (depth == kDeepest) return false;
         bool left_done = false, right_done = false;
-        const bool is_large = depth < 12;
         invoke_both(
-            is_large, [&] { left_done = plan(node.left(), depth + 1); },
+            depth < kTaskDepth, [&] { left_done = plan(node.left(), depth + 1); },
             [&] { right_done = plan(node.right(), depth + 1); });
-        if (!left_done || !right_done) return false;
-
-        const Row& left = rows_[node.left()];
-        const Row& right = rows_[node.right()];
-        const std::uint32_t count = plans_[node.left()].count + plans_[node.right()].count;
-        Row shared;
-        shared.fill(std::numeric_limits<float>::infinity());
-        for (int k = 1; k < N; ++k) {
-            for (int i = 1; i + k <= N; ++i)
-                shared[i + k] = std::min(shared[i + k], left[k] + right[i]);
-        }
-        const float as_node = area * kNodeCost + shared[N];
-        const float as_leaf =
-            count <= N ? area * kBlockCost : std::numeric_limits<float>::infinity();
-        plans_[index] = {count, 0, 0, as_leaf <= as_node};
-        row[1] = std::min(as_leaf, as_node);
-        for (int i = 2; i <= N; ++i) row[i] = std::min(row[i - 1], shared[i]);
-        return true;
+        if (left_done && right_done) plan_from_children(index);
+        return left_done && right_done;
     }
 
-    /// The children of the wide node that stands for this one: the root is a node even when all
-    /// of the tree fits into a leaf, which then is its child.
-    Children children_of(std::uint32_t index) const {
-        Children children;
-        if (plans_[index].is_leaf) {
-            children.add(index);
-        } else {
-            share(index, N, children);
+    void plan_from_children(std::uint32_t index) {
+        const Node& node = tree_.nodes[index];
+        const Plan& left = plans_[node.left()];
+        const Plan& right = plans_[node.right()];
+        int places = std::min(left.places + right.places, N);
+        std::array<float, N + 1> shared;
+        std::fill(shared.begin(), shared.begin() + places + 1,
+                  std::numeric_limits<float>::infinity());
+        for (int k = 1; k <= left.places; ++k) {
+            const float left_cost = cost(node.left(), k);
+            const int last = std::min<int>(right.places, N - k);
+            for (int i = 1; i <= last; ++i)
+                shared[k + i] = std::min(shared[k + i], left_cost + cost(node.right(), i));
         }
-        // Those that nothing hits need no place.
-        const auto is_hidden = [&](std::uint32_t child) {
-            return tree_.nodes[child].box.is_empty();
-        };
-        auto* begin = children.node.data();
-        auto* end = std::remove_if(begin, begin + children.count, is_hidden);
-        std::sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
-            const double area_a = tree_.nodes[a].box.surface_area();
-            const double area_b = tree_.nodes[b].box.surface_area();
-            return area_a != area_b ? area_a < area_b : a < b;
-        });
-        children.count = static_cast<int>(end - begin);
+        const float area = relative_area(node);
+        const std::uint32_t count = left.count + right.count;
+        const float as_node = area * kNodeCost + shared[places];
+        const float as_leaf =
+            count <= N ? area * kBlockCost : std::numeric_limits<float>::infinity();
+        const bool is_leaf = as_leaf <= as_node;
+        if (is_leaf && shared[places] > kWorthMoreBlocks * as_leaf) places = 1;
+        plans_[index] = {count, 0, 0, 0, static_cast<std::uint8_t>(places), is_leaf};
+        float best = std::min(as_leaf, as_node);
+        rows_[index].costs[0] = best;
+        for (int i = 2; i <= places; ++i)
+            rows_[index].costs[i - 1] = best = std::min(best, shared[i]);
+    }
+
+    /// The children of the wide node that stands for this one, by their area. The root is a node
+    /// even when all of the tree fits into a block, which then is its child.
+    Children children_of(std::uint32_t index) const {
+        Children opened;
+        if (plans_[index].is_leaf) {
+            opened.add(index);
+        } else {
+            share(index, plans_[index].places, opened);
+        }
+        Children children;
+        std::array<float, N> areas;
+        for (int i = 0; i < opened.count; ++i) {
+            const std::uint32_t child = opened.node[i];
+            // What nothing hits needs no place.
+            if (tree_.nodes[child].box.is_empty()) continue;
+            const float area = relative_area(tree_.nodes[child]);
+            int place = children.count++;
+            for (; place > 0 && areas[place - 1] > area; --place) {
+                areas[place] = areas[place - 1];
+                children.node[place] = children.node[place - 1];
+            }
+            areas[place] = area;
+            children.node[place] = child;
+        }
         return children;
     }
 
-    /// Shares i places among what is below the node.
-    void share(std::uint32_t index, int i, Children& children) const {
-        const Row& left = rows_[tree_.nodes[index].left()];
-        const Row& right = rows_[tree_.nodes[index].right()];
-        int best = 1;
-        for (int k = 2; k < i; ++k) {
-            if (left[k] + right[i - k] < left[best] + right[i - best]) best = k;
+    /// Shares places among what is below the node.
+    void share(std::uint32_t index, int places, Children& children) const {
+        const std::uint32_t left = tree_.nodes[index].left();
+        const std::uint32_t right = tree_.nodes[index].right();
+        const int first = std::max(1, places - plans_[right].places);
+        const int last = std::min<int>(plans_[left].places, places - 1);
+        int best = first;
+        float least = std::numeric_limits<float>::infinity();
+        for (int k = first; k <= last; ++k) {
+            const float sum = cost(left, k) + cost(right, places - k);
+            if (sum < least) {
+                least = sum;
+                best = k;
+            }
         }
-        place(tree_.nodes[index].left(), best, children);
-        place(tree_.nodes[index].right(), i - best, children);
+        place(left, best, children);
+        place(right, places - best, children);
     }
 
-    void place(std::uint32_t index, int i, Children& children) const {
-        const Row& row = rows_[index];
-        while (i > 1 && row[i] == row[i - 1]) --i;
-        if (i == 1 || plans_[index].is_leaf) {
+    void place(std::uint32_t index, int places, Children& children) const {
+        while (places > 1 && cost(index, places) == cost(index, places - 1)) --places;
+        if (places == 1) {
             children.add(index);
         } else {
-            share(index, i, children);
+            share(index, places, children);
         }
+    }
+
+    std::span<const std::uint32_t> children(std::uint32_t index) const {
+        return {rows_[index].children, plans_[index].children};
     }
 
     template <class Visit>
-    void for_each(const Children& children, std::uint32_t count, const Visit& visit) {
-        parallel_for(children.count, count > kSmallestTask ? 1 : N,
+    void for_each_child(std::uint32_t index, const Visit& visit) {
+        const std::size_t count = plans_[index].children;
+        parallel_for(count, plans_[index].count > kSmallestTask ? 1 : N,
                      [&](std::size_t begin, std::size_t end) {
                          for (std::size_t i = begin; i < end; ++i) visit(i);
                      });
     }
 
-    /// The bytes of the wide subtree.
+    /// The bytes of the wide subtree. Nobody asks for the costs of its root any more.
     std::size_t measure(std::uint32_t index) {
-        const Children children = children_of(index);
-        for_each(children, plans_[index].count, [&](std::size_t i) {
-            const std::uint32_t child = children.node[i];
+        const Children found = children_of(index);
+        std::copy_n(found.node.begin(), found.count, rows_[index].children);
+        plans_[index].children = static_cast<std::uint8_t>(found.count);
+        for_each_child(index, [&](std::size_t i) {
+            const std::uint32_t child = found.node[i];
             if (!plans_[child].is_leaf) measure(child);
         });
         std::size_t bytes = sizeof(WideNode<N>);
-        for (int i = 0; i < children.count; ++i)
-            bytes += bytes_of(children.node[i]);
+        int deepest = 0;
+        for (const std::uint32_t child : children(index)) {
+            bytes += bytes_of(child);
+            deepest = std::max(deepest, plans_[child].stack_size);
+        }
         if (bytes / kReferenceUnit >= kLeafBit)
             throw InvalidInput("WideTree: more triangles than a wide tree can hold");
         plans_[index].units = units(bytes);
         // A walk goes on with one child and remembers the others.
-        int deepest = 0;
-        for (int i = 0; i < children.count; ++i)
-            deepest = std::max(deepest, plans_[children.node[i]].stack_size);
-        plans_[index].stack_size = deepest + std::max(children.count, 1) - 1;
+        plans_[index].stack_size = deepest + std::max(found.count, 1) - 1;
         return bytes;
     }
 
@@ -210,22 +248,21 @@ private:
     }
 
     void emit(std::uint32_t index, std::uint32_t place) {
-        const Children children = children_of(index);
         auto* node = new (memory_ + byte_offset(place)) WideNode<N>;
         // Leaves follow their node, then come the subtrees.
         std::uint32_t next = place + units(sizeof(WideNode<N>));
         for (const bool leaves : {true, false}) {
-            for (int i = 0; i < children.count; ++i) {
-                const std::uint32_t child = children.node[i];
+            for (std::size_t i = 0; i < children(index).size(); ++i) {
+                const std::uint32_t child = children(index)[i];
                 if (plans_[child].is_leaf != leaves) continue;
                 node->child[i] = next | (leaves ? kLeafBit : 0);
                 next += units(bytes_of(child));
             }
         }
-        write_boxes(children, *node);
-        write_order(children, *node);
-        for_each(children, plans_[index].count, [&](std::size_t i) {
-            const std::uint32_t child = children.node[i];
+        write_boxes(index, *node);
+        write_order(index, *node);
+        for_each_child(index, [&](std::size_t i) {
+            const std::uint32_t child = children(index)[i];
             if (plans_[child].is_leaf) {
                 emit_block(child, node->child[i]);
             } else {
@@ -234,55 +271,78 @@ private:
         });
     }
 
-    void write_boxes(const Children& children, WideNode<N>& node) const {
+    void write_boxes(std::uint32_t index, WideNode<N>& node) const {
+        const int count = plans_[index].children;
         for (int i = 0; i < N; ++i) {
-            const Box3f box = i < children.count ? tree_.nodes[children.node[i]].box : Box3f{};
+            const Box3f box = i < count ? tree_.nodes[children(index)[i]].box : Box3f{};
             for (int k = 0; k < 3; ++k) {
                 node.slabs[k].lo[i] = scale_ * box.lo[k];
                 node.slabs[k].hi[i] = scale_ * box.hi[k];
             }
-            if (i >= children.count) node.child[i] = 0;
+            if (i >= count) node.child[i] = 0;
         }
     }
 
-    void write_order(const Children& children, WideNode<N>& node) const {
+    void write_order(std::uint32_t index, WideNode<N>& node) const {
+        const int count = plans_[index].children;
+        std::array<Vec3f, N> center;
+        for (int i = 0; i < count; ++i) center[i] = tree_.nodes[children(index)[i]].box.centroid();
         std::fill(node.order, node.order + N, 0);
-        for (int octant = 0; octant < 8; ++octant) {
-            std::array<float, N> distance;
-            std::array<std::uint32_t, N> slot;
+        // Rays of the opposite octant meet them the other way round.
+        for (std::uint32_t octant = 0; octant < 4; ++octant) {
+            alignas(4 * N) float distance[N];
+            std::fill_n(distance, N, std::numeric_limits<float>::infinity());
+            for (int i = 0; i < count; ++i)
+                distance[i] = (octant & 1 ? -center[i][0] : center[i][0]) +
+                              (octant & 2 ? -center[i][1] : center[i][1]) + center[i][2];
             for (int i = 0; i < N; ++i) {
-                slot[i] = i;
-                if (i >= children.count) continue;
-                const Vec3f center = tree_.nodes[children.node[i]].box.centroid();
-                distance[i] = 0;
-                for (int k = 0; k < 3; ++k)
-                    distance[i] += (octant >> k & 1) ? -center[k] : center[k];
+                // How many are nearer; of equally near ones, how many come before it.
+                int rank = 0;
+                for (int j = 0; j < N; ++j) rank += distance[j] < distance[i];
+                for (int j = 0; j < i; ++j) rank += distance[j] == distance[i];
+                const int from_far = i < count ? count - 1 - rank : rank;
+                node.order[from_far] |= static_cast<std::uint32_t>(i) << (4 * octant);
+                node.order[rank] |= static_cast<std::uint32_t>(i) << (4 * (7 - octant));
             }
-            std::stable_sort(
-                slot.begin(), slot.begin() + children.count,
-                [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; });
-            for (int i = 0; i < N; ++i) node.order[i] |= slot[i] << (4 * octant);
         }
     }
 
     void emit_block(std::uint32_t index, WideReference place) const {
         std::array<std::uint32_t, N> triangles;
-        std::uint32_t count = 0;
-        gather(index, triangles.data(), count);
-        std::sort(triangles.begin(), triangles.begin() + count);
-        count = static_cast<std::uint32_t>(
-            std::unique(triangles.begin(), triangles.begin() + count) - triangles.begin());
+        int count = 0;
+        gather(index, triangles, count);
 
+        constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
         auto* block = new (memory_ + byte_offset(place)) TriangleBlock<N>;
-        for (std::uint32_t i = 0; i < N; ++i) {
-            const bool is_used = i < count && is_in_float_range(triangles[i]);
-            block->triangle[i] = is_used ? triangles[i] : std::numeric_limits<std::uint32_t>::max();
+        std::fill_n(&block->corner[0][0][0], 9 * N, kNaN);
+        std::fill_n(block->triangle, N, std::numeric_limits<std::uint32_t>::max());
+        for (int i = 0; i < count; ++i) {
+            if (!is_in_float_range(triangles[i])) continue;
+            block->triangle[i] = triangles[i];
             for (int corner = 0; corner < 3; ++corner) {
+                const Vec3d& p = mesh_.corner(triangles[i], corner);
                 for (int k = 0; k < 3; ++k)
-                    block->corner[corner][k][i] =
-                        is_used ? static_cast<float>(scale_ * mesh_.corner(triangles[i], corner)[k])
-                                : std::numeric_limits<float>::quiet_NaN();
+                    block->corner[corner][k][i] = static_cast<float>(scale_ * p[k]);
             }
+        }
+    }
+
+    /// The triangles below, each once, by their index.
+    void gather(std::uint32_t index, std::array<std::uint32_t, N>& triangles, int& count) const {
+        const Node& node = tree_.nodes[index];
+        if (!node.is_leaf()) {
+            gather(node.left(), triangles, count);
+            gather(node.right(), triangles, count);
+            return;
+        }
+        for (const std::uint32_t triangle : tree_.primitives(node)) {
+            int place = count;
+            while (place > 0 && triangles[place - 1] > triangle) --place;
+            if (place > 0 && triangles[place - 1] == triangle) continue;
+            std::copy_backward(triangles.begin() + place, triangles.begin() + count,
+                               triangles.begin() + count + 1);
+            triangles[place] = triangle;
+            ++count;
         }
     }
 
@@ -293,17 +353,6 @@ private:
             for (int k = 0; k < 3; ++k) inside &= std::abs(p[k]) <= FLT_MAX;
         }
         return inside;
-    }
-
-    void gather(std::uint32_t index, std::uint32_t* triangles, std::uint32_t& count) const {
-        const Node& node = tree_.nodes[index];
-        if (node.is_leaf()) {
-            for (const std::uint32_t triangle : tree_.primitives(node))
-                triangles[count++] = triangle;
-        } else {
-            gather(node.left(), triangles, count);
-            gather(node.right(), triangles, count);
-        }
     }
 
     MeshView mesh_;
