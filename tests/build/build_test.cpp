@@ -58,8 +58,8 @@ TEST(Build, methods_and_costs_have_their_names) {
     std::vector<std::string_view> names;
     for (const auto& method : build_methods()) names.push_back(method.name);
     EXPECT_EQ(names, (std::vector<std::string_view>{"median", "agglomerative", "binned_sah",
-                                                    "morton", "ploc", "sweep_sah", "spatial_split",
-                                                    "reinsertion"}));
+                                                    "block_sah", "morton", "ploc", "sweep_sah",
+                                                    "spatial_split", "reinsertion"}));
     ASSERT_EQ(merge_costs().size(), 3u);
     EXPECT_EQ(merge_costs()[0].name, "centroid_distance");
     EXPECT_EQ(merge_costs()[1].name, "volume_increase");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "boxwood/build/binned_sah.h"
+#include "boxwood/build/block_sah.h"
 #include "boxwood/build/median.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/ploc.h"
@@ -25,6 +26,8 @@ Tree optimized(Tree tree) {
 Tree build_tree(MeshView mesh, const BuildOptions& options) {
     if (options.method == BuildMethod::spatial_split) return build_spatial_split(mesh);
     if (options.method == BuildMethod::reinsertion) return optimized(build_spatial_split(mesh));
+    if (options.method == BuildMethod::block_sah)
+        return build_block_sah(mesh, {.block = options.block});
     const std::vector<Box3f> boxes = triangle_boxes(mesh);
     if (options.method == BuildMethod::median)
         return build_median(boxes, {.centroids = triangle_centroids(mesh)});
@@ -48,6 +51,8 @@ Tree build_tree(std::span<const Box3f> boxes, const BuildOptions& options) {
             return build_sweep_sah(boxes);
         case BuildMethod::reinsertion:
             return optimized(build_binned_sah(boxes));
+        case BuildMethod::block_sah:
+            return build_block_sah(boxes, {.block = options.block});
     }
     return {};
 }
@@ -68,6 +73,7 @@ std::span<const Named<BuildMethod>> build_methods() {
         {"median", BuildMethod::median},
         {"agglomerative", BuildMethod::agglomerative},
         {"binned_sah", BuildMethod::binned_sah},
+        {"block_sah", BuildMethod::block_sah},
         {"morton", BuildMethod::morton},
         {"ploc", BuildMethod::ploc},
         {"sweep_sah", BuildMethod::sweep_sah},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ enum class BuildMethod {
     median,
     agglomerative,
     binned_sah,
+    block_sah,
     morton,
     ploc,
     sweep_sah,
@@ -28,6 +30,7 @@ enum class BuildMethod {
 struct BuildOptions {
     BuildMethod method = BuildMethod::binned_sah;
     MergeCost cost = MergeCost::surface_area;  ///< of agglomerative
+    std::uint32_t block = 4;                   ///< of block_sah: the width of the wide tree
 };
 
 /// A tree over the triangles of a mesh, as the method's own header describes it.
