@@ -1,66 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "peers/boxwood.h"
 
-#include <optional>
-
 #include "boxwood/core/parallel.h"
-#include "boxwood/scene/scene.h"
-#include "boxwood/tree/statistics.h"
+#include "boxwood/query/wide_hits.h"
+#include "boxwood/scene/build_wide_tree.h"
 
 namespace boxwood::bench {
 
 namespace {
 
-Ray as_ray(const PlainRay& ray) {
-    return {.origin = {ray.ox, ray.oy, ray.oz},
-            .direction = {ray.dx, ray.dy, ray.dz},
-            .t_min = ray.t_min,
-            .t_max = ray.t_max};
-}
+// The plain records are those of the library.
+static_assert(sizeof(PlainRay) == sizeof(Rayf) && sizeof(PlainHit) == sizeof(Hitf));
+static_assert(kNoTriangle == Hitf::kNone);
+
+const Rayf* as_rays(const PlainRay* rays) { return reinterpret_cast<const Rayf*>(rays); }
+Hitf* as_hits(PlainHit* hits) { return reinterpret_cast<Hitf*>(hits); }
 
 class BoxwoodTree : public Accelerator {
 public:
     explicit BoxwoodTree(int threads) : threads_(threads) {}
 
-    void build(const PlainMesh& mesh, Quality) override {
+    void build(const PlainMesh& mesh, Quality quality) override {
         const ThreadLimit limit(static_cast<std::size_t>(threads_));
-        mesh_.vertices.resize(mesh.vertex_count());
-        for (std::size_t i = 0; i < mesh_.vertices.size(); ++i)
-            mesh_.vertices[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
-        mesh_.faces.resize(mesh.face_count());
-        for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                mesh_.faces[i][static_cast<int>(k)] = static_cast<int>(mesh.faces[3 * i + k]);
-        scene_.emplace(std::vector<MeshView>{mesh_});
+        // The library takes vertices in double.
+        std::vector<Vec3d> vertices(mesh.vertex_count());
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            vertices[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
+        const std::span faces(reinterpret_cast<const Vec3i*>(mesh.faces.data()),
+                              mesh.face_count());
+        constexpr BuildPreset kPresets[] = {BuildPreset::fast, BuildPreset::balanced,
+                                            BuildPreset::best};
+        tree_ = build_wide_tree(MeshView{vertices, faces},
+                                {.preset = kPresets[static_cast<int>(quality)]});
     }
 
-    std::size_t bytes() const override { return statistics(scene_->trees()[0]).bytes; }
+    std::size_t bytes() const override { return tree_.bytes(); }
 
-    void closest_hits(Mode, std::span<const PlainRay> rays, PlainHit* hits) const override {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const auto hit = scene_->closest_hit(as_ray(rays[i]));
-            hits[i].triangle = hit ? hit->triangle : kNoTriangle;
-            if (!hit) continue;
-            const Vec3f normal = geometric_normal(mesh_, hit->triangle).cast<float>();
-            hits[i] = {static_cast<float>(hit->t),
-                       static_cast<float>(hit->u),
-                       static_cast<float>(hit->v),
-                       hit->triangle,
-                       normal.x(),
-                       normal.y(),
-                       normal.z(),
-                       0};
+    void closest_hits(Mode mode, std::span<const PlainRay> rays, PlainHit* hits) const override {
+        if (mode == Mode::batch) {
+            const ThreadLimit one(1);
+            boxwood::closest_hits(tree_, {as_rays(rays.data()), rays.size()},
+                                  {as_hits(hits), rays.size()});
+        } else {
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                closest_hit(tree_, *as_rays(&rays[i]), *as_hits(&hits[i]));
         }
     }
 
-    void any_hits(Mode, std::span<const PlainRay> rays, std::uint8_t* hits) const override {
-        for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = scene_->any_hit(as_ray(rays[i]));
+    void any_hits(Mode mode, std::span<const PlainRay> rays, std::uint8_t* hits) const override {
+        static_assert(sizeof(bool) == sizeof(std::uint8_t));
+        if (mode == Mode::batch) {
+            const ThreadLimit one(1);
+            boxwood::any_hits(tree_, {as_rays(rays.data()), rays.size()},
+                              {reinterpret_cast<bool*>(hits), rays.size()});
+        } else {
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                hits[i] = any_hit(tree_, *as_rays(&rays[i]));
+        }
     }
 
 private:
     int threads_;
-    TriangleMesh mesh_;
-    std::optional<Scene> scene_;
+    WideTree tree_;
 };
 
 class Boxwood : public Peer {
