@@ -58,7 +58,8 @@ public:
           sah_(unit_scale(boxes), std::countr_zero(options.leaf_block)),
           references_(most_references(boxes.size(), options.replication)),
           tree_{.nodes = std::vector<Node>(2 * references_.size() - 1),
-                .order = std::vector<std::uint32_t>(references_.size(), kUnusedPlace)} {
+                .order = std::vector<std::uint32_t>(references_.size(), kUnusedPlace),
+                .parents = {}} {
         // Boxes that nothing hits stand apart at the end and trouble no split.
         std::uint32_t begin = 0, end = capacity();
         for (std::uint32_t i = 0; i < boxes.size(); ++i)

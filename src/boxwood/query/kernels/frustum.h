@@ -143,20 +143,22 @@ private:
         const Float sign = S::broadcast(sign_);
         for (int packet = 0; packet < N; ++packet) {
             const Float x = S::load(sx_[packet]) * sign, y = S::load(sy_[packet]) * sign;
-            lo_x_[packet] = S::least(kAllLanes, x);
-            hi_x_[packet] = S::greatest(x);
-            lo_y_[packet] = S::least(kAllLanes, y);
-            hi_y_[packet] = S::greatest(y);
+            S::store(slope_x_[packet], x);
+            S::store(slope_y_[packet], y);
+            range_x_[0][packet] = S::least(kAllLanes, x);
+            range_x_[1][packet] = S::greatest(x);
+            range_y_[0][packet] = S::least(kAllLanes, y);
+            range_y_[1][packet] = S::greatest(y);
             set_far(packet);
         }
-        group_lo_x_ = S::least(kAllPackets, S::load(lo_x_));
-        group_hi_x_ = S::greatest(S::load(hi_x_));
-        group_lo_y_ = S::least(kAllPackets, S::load(lo_y_));
-        group_hi_y_ = S::greatest(S::load(hi_y_));
+        group_lo_x_ = S::least(kAllPackets, S::load(range_x_[0]));
+        group_hi_x_ = S::greatest(S::load(range_x_[1]));
+        group_lo_y_ = S::least(kAllPackets, S::load(range_y_[0]));
+        group_hi_y_ = S::greatest(S::load(range_y_[1]));
         farthest_ = S::greatest(S::load(far_));
         float spread = 0;
         for (int packet = 0; packet < N; ++packet)
-            spread += (hi_x_[packet] - lo_x_[packet]) + (hi_y_[packet] - lo_y_[packet]);
+            spread += (range_x_[1][packet] - range_x_[0][packet]) + (range_y_[1][packet] - range_y_[0][packet]);
         const float group_spread = (group_hi_x_ - group_lo_x_) + (group_hi_y_ - group_lo_y_);
         return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
     }
@@ -202,6 +204,7 @@ private:
             const int slot = __builtin_ctz(hit);
             const Entry entry = {node.child[slot], reference, static_cast<std::uint32_t>(slot),
                                  enter[slot]};
+            prefetch<N>(tree_, entry.reference);
             int place = size++;
             for (; place > bottom && stack_[place - 1].enter < entry.enter; --place)
                 stack_[place] = stack_[place - 1];
@@ -222,14 +225,23 @@ private:
         const Float lo_y = S::broadcast(node.slabs[ky_].lo[i] - (oy_ + rounding_));
         const Float hi_y = S::broadcast(node.slabs[ky_].hi[i] - (oy_ - rounding_));
         return S::less_equal(near, S::load(far_)) &
-               S::less_equal(lo_x, most(S::load(hi_x_), near, far)) &
-               S::less_equal(least(S::load(lo_x_), near, far), hi_x) &
-               S::less_equal(lo_y, most(S::load(hi_y_), near, far)) &
-               S::less_equal(least(S::load(lo_y_), near, far), hi_y);
+               S::less_equal(lo_x, most(S::load(range_x_[1]), near, far)) &
+               S::less_equal(least(S::load(range_x_[0]), near, far), hi_x) &
+               S::less_equal(lo_y, most(S::load(range_y_[1]), near, far)) &
+               S::less_equal(least(S::load(range_y_[0]), near, far), hi_y);
     }
 
+    /// The corners of the triangles of a block from the origin.
     struct Corners {
         alignas(64) float x[3][N], y[3][N], z[3][N];
+    };
+
+    /// What the edge functions of the triangles of a block are in the plane of slopes: twice that
+    /// of edge i of triangle j is x[i][j] sx + y[i][j] sy + w[i][j], and for a ray that hits the
+    /// triangle not less than least[j].
+    struct Edges {
+        alignas(64) float x[3][N], y[3][N], w[3][N], least[N];
+        alignas(64) float nearest[N];  ///< depth of the triangle
     };
 
     BOXWOOD_KERNEL void visit_block(const TriangleBlock<N>& block, unsigned packets) {
@@ -246,10 +258,11 @@ private:
         // Pairs of a triangle and a packet that may see it.
         std::uint8_t triangle_of[N * N + 16], packet_of[N * N + 16];
         for (int i = 0; i < 3; ++i) z[i] = z[i] * S::broadcast(sign_);
-        const int pairs = find_pairs(x, y, z, packets, triangle_of, packet_of);
+        Edges edges;
+        const int pairs = find_pairs(x, y, z, packets, edges, triangle_of, packet_of);
         unsigned changed = 0;
         for (int i = 0; i < pairs; ++i)
-            changed |= visit_pair(block, from, triangle_of[i], packet_of[i]);
+            changed |= visit_pair(block, from, edges, triangle_of[i], packet_of[i]);
         if (changed == 0) return;
         for (; changed != 0; changed &= changed - 1) set_far(__builtin_ctz(changed));
         farthest_ = S::greatest(S::load(far_));
@@ -257,11 +270,10 @@ private:
 
     /// The corners' places from the origin, their depths z positive in front of it.
     BOXWOOD_KERNEL int find_pairs(const Float (&x)[3], const Float (&y)[3], const Float (&z)[3],
-                                  unsigned packets, std::uint8_t* triangle_of,
+                                  unsigned packets, Edges& edges, std::uint8_t* triangle_of,
                                   std::uint8_t* packet_of) const {
         // Twice the edge function of the corners p, q at (sx, sy) is ex sx + ey sy + ew, with
         // e = (q - p) x (q + p): the difference keeps it accurate where the sum is large.
-        alignas(64) float ex[3][N], ey[3][N], ew[3][N], slack[N], nearest[N];
         Float edge_size = S::broadcast(0), corner_size = S::broadcast(0);
         const auto size = [](Float a) { return S::max(a, -a); };
         Float e[3][3];
@@ -285,16 +297,15 @@ private:
         const unsigned sure = S::less(doubt, size(volume));
         const unsigned positive = S::less(S::broadcast(0), volume);
         const Float front = S::min(S::min(z[0], z[1]), z[2]) - S::broadcast(rounding_);
-        S::store(nearest, front);
-        S::store(slack, margin);
+        const Float least = S::select(sure, -margin, S::broadcast(-__builtin_inff()));
+        const Float flip = S::select(positive, S::broadcast(1), S::broadcast(-1));
+        S::store(edges.nearest, front);
+        S::store(edges.least, least);
         for (int i = 0; i < 3; ++i) {
-            const Float flip = S::select(positive, S::broadcast(1), S::broadcast(-1));
-            e[i][0] = e[i][0] * flip;
-            e[i][1] = e[i][1] * flip;
-            e[i][2] = e[i][2] * flip;
-            S::store(ex[i], e[i][0]);
-            S::store(ey[i], e[i][1]);
-            S::store(ew[i], e[i][2]);
+            for (int k = 0; k < 3; ++k) e[i][k] = e[i][k] * flip;
+            S::store(edges.x[i], e[i][0]);
+            S::store(edges.y[i], e[i][1]);
+            S::store(edges.w[i], e[i][2]);
         }
         const auto most_over = [](Float a, Float b, Float c, Float lo_x, Float hi_x, Float lo_y,
                                   Float hi_y) {
@@ -306,47 +317,62 @@ private:
                 most_over(e[i][0], e[i][1], e[i][2], S::broadcast(group_lo_x_),
                           S::broadcast(group_hi_x_), S::broadcast(group_lo_y_),
                           S::broadcast(group_hi_y_));
-            triangles &= S::less_equal(-margin, most) | ~sure;
+            triangles &= S::less_equal(least, most);
+        }
+        // An edge function is largest where x is, if it rises with it, else where x is least.
+        unsigned rises_x[3], rises_y[3];
+        for (int i = 0; i < 3; ++i) {
+            rises_x[i] = S::less(S::broadcast(0), e[i][0]);
+            rises_y[i] = S::less(S::broadcast(0), e[i][1]);
         }
         int pairs = 0;
         for (; triangles != 0; triangles &= triangles - 1) {
             const int j = __builtin_ctz(triangles);
-            const Float least_allowed = S::broadcast(-slack[j]);
-            unsigned seen = packets & S::less_equal(S::broadcast(nearest[j]), S::load(far_));
-            unsigned inside = kAllPackets;
+            unsigned seen = packets & S::less_equal(S::broadcast(edges.nearest[j]), S::load(far_));
             for (int i = 0; i < 3; ++i) {
-                const float* edge_x = ex[i][j] > 0 ? hi_x_ : lo_x_;
-                const float* edge_y = ey[i][j] > 0 ? hi_y_ : lo_y_;
-                const Float most = S::multiply_add(
-                    S::broadcast(ex[i][j]), S::load(edge_x),
-                    S::multiply_add(S::broadcast(ey[i][j]), S::load(edge_y),
-                                    S::broadcast(ew[i][j])));
-                inside &= S::less_equal(least_allowed, most);
+                const float* x_most = range_x_[rises_x[i] >> j & 1];
+                const float* y_most = range_y_[rises_y[i] >> j & 1];
+                seen &= S::less_equal(S::broadcast(edges.least[j]),
+                                      edge_function(edges, i, j, x_most, y_most));
             }
-            if (sure >> j & 1) seen &= inside;
             pairs = append(seen, j, pairs, triangle_of, packet_of);
         }
         return pairs;
     }
 
+    BOXWOOD_KERNEL static Float edge_function(const Edges& edges, int i, int j, const float* x,
+                                              const float* y) {
+        return S::multiply_add(S::broadcast(edges.x[i][j]), S::load(x),
+                               S::multiply_add(S::broadcast(edges.y[i][j]), S::load(y),
+                                               S::broadcast(edges.w[i][j])));
+    }
+
     /// Adds the pairs of triangle j and the packets of a mask, eight at a time, without a branch.
     BOXWOOD_KERNEL static int append(unsigned packets, int j, int pairs, std::uint8_t* triangle_of,
                                      std::uint8_t* packet_of) {
-        for (int first = 0; first < N; first += 8) {
+        constexpr std::uint64_t kEachByte = 0x0101010101010101u;
+        const std::uint64_t triangle = static_cast<std::uint64_t>(j) * kEachByte;
+        for (std::uint64_t first = 0; first < N; first += 8) {
             const unsigned mask = packets >> first & 255;
-            for (int i = 0; i < 8; ++i) {
-                packet_of[pairs + i] =
-                    static_cast<std::uint8_t>(kCompressLanes.of[mask][i] + first);
-                triangle_of[pairs + i] = static_cast<std::uint8_t>(j);
-            }
+            std::uint64_t lanes;
+            __builtin_memcpy(&lanes, kCompressLanes.of[mask], sizeof(lanes));
+            lanes += first * kEachByte;
+            __builtin_memcpy(packet_of + pairs, &lanes, sizeof(lanes));
+            __builtin_memcpy(triangle_of + pairs, &triangle, sizeof(triangle));
             pairs += __builtin_popcount(mask);
         }
         return pairs;
     }
 
     /// All rays of a packet against one triangle. Returns the packet's bit if any came closer.
-    BOXWOOD_KERNEL unsigned visit_pair(const TriangleBlock<N>& block, const Corners& from, int j,
-                                       int packet) {
+    BOXWOOD_KERNEL unsigned visit_pair(const TriangleBlock<N>& block, const Corners& from,
+                                       const Edges& edges, int j, int packet) {
+        const auto edge = [&](int i) {
+            return edge_function(edges, i, j, slope_x_[packet], slope_y_[packet]);
+        };
+        const Float inside = S::min(S::min(edge(0), edge(1)), edge(2));
+        if (S::less_equal(S::broadcast(edges.least[j]), inside) == 0) return 0;
+
         const Float sx = S::load(sx_[packet]), sy = S::load(sy_[packet]);
         const auto corner = [&](int i) {
             return ShearedCorner<S>(S::broadcast(from.x[i][j]), S::broadcast(from.y[i][j]),
@@ -393,9 +419,11 @@ private:
     float group_lo_x_, group_hi_x_, group_lo_y_, group_hi_y_;
     float farthest_;  ///< how far along z any ray looks
     // Of each packet.
-    alignas(64) float lo_x_[N], hi_x_[N], lo_y_[N], hi_y_[N], far_[N];
+    alignas(64) float range_x_[2][N], range_y_[2][N];  ///< of slopes: the least, the greatest
+    alignas(64) float far_[N];
     // Of each ray of each packet.
     alignas(64) float sx_[N][N], sy_[N][N], sz_[N][N], t_[N][N];
+    alignas(64) float slope_x_[N][N], slope_y_[N][N];  ///< sx and sy against depth
     alignas(64) float depth_[N][N];  ///< along z, for each unit of t
     alignas(64) float v_[N][N], w_[N][N], determinant_[N][N], normal_[3][N][N];
     alignas(64) std::uint32_t triangle_[N][N];

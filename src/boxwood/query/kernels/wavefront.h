@@ -65,7 +65,8 @@ public:
             int next_nodes = 0, next_blocks = 0, finished = 0;
             // All three places are written; the one that counts is kept.
             const auto file = [&](std::uint16_t i, WideReference reference) {
-                if (kPrefetch) prefetch(reference);
+                // The root, where there is nothing left.
+                if (kPrefetch) prefetch<N>(tree_, reference == kDone ? 0 : reference);
                 slots_[i].current = reference;
                 next_node_list[next_nodes] = next_block_list[next_blocks] = done[finished] = i;
                 const int leaf = reference >> 31, last = reference == kDone;
@@ -164,14 +165,6 @@ private:
             slot.size = drop_hidden(slot);
         }
         return slot.references[--slot.size];
-    }
-
-    BOXWOOD_KERNEL void prefetch(WideReference reference) const {
-        // The root, where there is nothing left.
-        const WideReference used = reference == kDone ? 0 : reference;
-        const std::byte* memory = tree_.memory + byte_offset(used);
-        for (std::size_t line = 0; line < sizeof(TriangleBlock<N>); line += 64)
-            __builtin_prefetch(memory + line);
     }
 
     const WideTreeView& tree_;
