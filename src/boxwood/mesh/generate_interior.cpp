@@ -20,7 +20,8 @@ constexpr double kBay = 0.24, kFirstColumn = -0.84;
 constexpr double kShaft = 0.3;     ///< the height of a column
 constexpr double kCornice = 0.46;  ///< where the walls over the arches end and the vault begins
 
-/// Cuts patches as finely as the detail allows; each has a phase of its own.
+/// Cuts patches as finely as the detail allows; each has a phase of its own, by its turn. So two
+/// cuts must not be arguments of one call: compilers evaluate these in different orders.
 class Cutter {
 public:
     explicit Cutter(double detail) : detail_(detail) {}
@@ -74,7 +75,8 @@ void add_column(double x, double y, Cutter& cut, std::vector<Patch>& patches) {
                                    0.02 + (kShaft + 0.004) * v};
                        }});
     // A ring under the capital.
-    patches.push_back(turned_patch({x, y, kShaft - 0.012}, cut(3, 10), cut(1, 4), [](double v) {
+    const int around = cut(3, 10), up = cut(1, 4);
+    patches.push_back(turned_patch({x, y, kShaft - 0.012}, around, up, [](double v) {
         return Vec2d(0.029 + 0.008 * sin_turns(v / 2), 0.03 * v);
     }));
 }
@@ -105,8 +107,9 @@ void add_arch(double x, double y, Cutter& cut, std::vector<Patch>& patches) {
 
 /// A rib under the vault, from column to column.
 void add_rib(double x, Cutter& cut, std::vector<Patch>& patches) {
+    const int around = cut(1, 4), along = cut(3, 12);
     patches.push_back(tube_patch(
-        cut(1, 4), cut(3, 12),
+        around, along,
         [x](double v) -> Vec3d {
             return {x, 0.232 * cos_turns(v / 2), kCornice + 0.232 * sin_turns(v / 2)};
         },
@@ -122,10 +125,10 @@ void add_chandelier(double x, Cutter& cut, std::vector<Patch>& patches) {
         const double turn = v == 1 ? 0 : v;
         return {cos_turns(turn), sin_turns(turn), 0};
     };
+    const int around = cut(1, 4), along = cut(4, 10);
     patches.push_back(tube_patch(
-        cut(1, 4), cut(4, 10),
-        [=](double v) -> Vec3d { return Vec3d(x, 0, z) + 0.06 * direction(v); }, direction,
-        -Vec3d::UnitZ(), [](double) { return 0.006; }));
+        around, along, [=](double v) -> Vec3d { return Vec3d(x, 0, z) + 0.06 * direction(v); },
+        direction, -Vec3d::UnitZ(), [](double) { return 0.006; }));
     for (int i = 0; i < 3; ++i) {
         const Vec3d outward = direction(i / 3.0), foot = Vec3d(x, 0, z) + 0.06 * outward;
         const Vec3d top = Vec3d(x, 0, 0.69) + 0.005 * outward;
@@ -140,12 +143,13 @@ void add_stairs(Cutter& cut, std::vector<Patch>& patches) {
         const double front = 0.62 + 0.018 * i, height = 0.008 * (i + 1);
         add_box({front, -0.2, -0.002 * i}, {0.97 - front, 0, 0}, {0, 0.4 + 1e-4 * i, 0},
                 {0, 0, height + 0.002 * i}, patches);
-        for (const int side : {-1, 1})
+        for (const int side : {-1, 1}) {
+            const int around = cut(1.2, 6), up = cut(1.2, 5);
             patches.push_back(turned_patch(
-                {front + 0.009, side * 0.19, height - 0.001}, cut(1.2, 6), cut(1.2, 5),
-                [](double v) {
+                {front + 0.009, side * 0.19, height - 0.001}, around, up, [](double v) {
                     return Vec2d(0.002 + 0.003 * sin_turns(v / 2) * (1 - 0.6 * v), 0.05 * v);
                 }));
+        }
     }
     for (const int side : {-1, 1})
         add_box({0.62, side * 0.19 - 0.004, 0.056}, {0.216, 0, 0.096}, {0, 0.008, 0}, {0, 0, 0.006},
@@ -169,7 +173,8 @@ void add_crate(const Vec3d& place, double size, double turn, std::vector<Patch>&
 
 void add_vase(const Vec3d& place, double size, double shape, Cutter& cut,
               std::vector<Patch>& patches) {
-    patches.push_back(turned_patch(place, cut(3, 8), cut(3, 6), [=](double v) {
+    const int around = cut(3, 8), up = cut(3, 6);
+    patches.push_back(turned_patch(place, around, up, [=](double v) {
         const double belly = sin_turns(0.48 * v + 0.01) * (1 - shape * v);
         return Vec2d(size * (0.12 + 0.4 * belly), size * (0.5 + shape) * v);
     }));
