@@ -172,10 +172,13 @@ const std::vector<Rule>& rules() {
          [](const Line& line) {
              return is_library(line) &&
                     (matches(included(line), "^(format|ranges)$") ||
-                     matches(line.code, R"(\bstd::(bit_cast|ranges|views|format)\b)"));
+                     matches(
+                         line.code,
+                         R"(\bstd::(bit_cast|ranges|views|format|make_unique_for_overwrite)\b)"));
          },
          lines_of("src/boxwood/mesh/inspect.cpp",
-                  {"#include <format>", "std::ranges::sort(edges);", "std::bit_cast<int>(x);"}),
+                  {"#include <format>", "std::ranges::sort(edges);", "std::bit_cast<int>(x);",
+                   "std::make_unique_for_overwrite<int[]>(n);"}),
          lines_of("src/boxwood/mesh/inspect.cpp",
                   {"std::sort(edges.begin(), edges.end());", "#include <fmt/format.h>"})},
 

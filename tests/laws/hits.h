@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cstdint>
+#include <cstring>
 #include <optional>
 #include <ostream>
 
@@ -13,9 +12,7 @@
 
 namespace boxwood {
 
-inline bool same_bits(double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
+inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
 
 /// The same answer to the last bit.
 inline bool are_identical(const std::optional<Hit>& a, const std::optional<Hit>& b) {

@@ -3,12 +3,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "boxwood/core/box.h"
+#include "boxwood/core/float_bits.h"
 
 namespace boxwood {
 
@@ -38,12 +38,11 @@ struct Reference {
     Box4 box;
 
     Reference(const Box3f& b, std::uint32_t primitive) {
-        box.lo = {b.lo[0], b.lo[1], b.lo[2], std::bit_cast<float>(kOne | primitive >> 16)};
-        box.hi = {b.hi[0], b.hi[1], b.hi[2], std::bit_cast<float>(kOne | (primitive & 0xffff))};
+        box.lo = {b.lo[0], b.lo[1], b.lo[2], float_of(kOne | primitive >> 16)};
+        box.hi = {b.hi[0], b.hi[1], b.hi[2], float_of(kOne | (primitive & 0xffff))};
     }
     std::uint32_t primitive() const {
-        return std::bit_cast<std::uint32_t>(box.lo[3]) << 16 |
-               (std::bit_cast<std::uint32_t>(box.hi[3]) & 0xffff);
+        return bits_of(box.lo[3]) << 16 | (bits_of(box.hi[3]) & 0xffff);
     }
     /// Half the centroid, so that no difference of two of them overflows.
     Eigen::Array4f center() const { return 0.25f * box.lo + 0.25f * box.hi; }

@@ -47,7 +47,7 @@ public:
     MortonBuilder(std::span<const Box3f> boxes, std::uint32_t largest_leaf)
         : boxes_(boxes),
           largest_leaf_(largest_leaf),
-          memory_(std::make_unique_for_overwrite<MortonKey[]>(2 * boxes.size())),
+          memory_(new MortonKey[2 * boxes.size()]),
           keys_(memory_.get(), boxes.size()),
           scratch_(memory_.get() + boxes.size(), boxes.size()) {}
 

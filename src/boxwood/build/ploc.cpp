@@ -57,7 +57,7 @@ public:
 
 private:
     void sort_primitives() {
-        const auto memory = std::make_unique_for_overwrite<MortonKey[]>(2 * boxes_.size());
+        const std::unique_ptr<MortonKey[]> memory(new MortonKey[2 * boxes_.size()]);
         const std::span keys(memory.get(), boxes_.size());
         number_primitives(keys);
         sort_along_curve(boxes_, keys, {memory.get() + boxes_.size(), boxes_.size()});

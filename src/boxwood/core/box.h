@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "boxwood/core/float_bits.h"
 #include "boxwood/core/vec.h"
 
 namespace boxwood {
@@ -72,15 +72,15 @@ using Box3d = Box<double>;
 /// from zero. No branches: nobody could predict where rounding goes.
 inline float rounded_down(double x) {
     const auto nearest = static_cast<float>(x);
-    const auto bits = std::bit_cast<std::int32_t>(nearest);
+    const auto bits = static_cast<std::int32_t>(bits_of(nearest));
     const std::int32_t one_up = bits >> 31 | 1;
-    return std::bit_cast<float>(bits - (one_up & -std::int32_t{nearest > x}));
+    return float_of(static_cast<std::uint32_t>(bits - (one_up & -std::int32_t{nearest > x})));
 }
 inline float rounded_up(double x) {
     const auto nearest = static_cast<float>(x);
-    const auto bits = std::bit_cast<std::int32_t>(nearest);
+    const auto bits = static_cast<std::int32_t>(bits_of(nearest));
     const std::int32_t one_up = bits >> 31 | 1;
-    return std::bit_cast<float>(bits + (one_up & -std::int32_t{nearest < x}));
+    return float_of(static_cast<std::uint32_t>(bits + (one_up & -std::int32_t{nearest < x})));
 }
 
 /// The smallest float box that contains the given one. Empty, so that no query ever visits it, when

@@ -13,4 +13,11 @@ inline std::uint32_t bits_of(float x) {
     return bits;
 }
 
+/// The float that looks like this.
+inline float float_of(std::uint32_t bits) {
+    float x = 0;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 }  // namespace boxwood
