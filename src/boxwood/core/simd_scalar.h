@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "boxwood/core/simd.h"
+#include "boxwood/core/simd_fused.h"
 
 namespace boxwood {
 
@@ -75,7 +76,14 @@ struct Scalar {
     }
     static Float multiply_add(const Float& a, const Float& b, const Float& c) { return a * b + c; }
     static Float fused(const Float& a, const Float& b, const Float& c) {
-        return Float::map([&](int i) { return std::fma(a.lane[i], b.lane[i], c.lane[i]); });
+        // Not std::fma: some C libraries round it wrongly, musl's without rounding modes to set.
+        Float result;
+        for (int i = 0; i < kWidth; i += 2) {
+            const auto two = [&](const Float& x) { return Double2{x.lane[i], x.lane[i + 1]}; };
+            const Double2 odd = fused_to_odd(two(a), two(b), two(c));
+            for (int k = 0; k < 2; ++k) result.lane[i + k] = static_cast<float>(odd[k]);
+        }
+        return result;
     }
 
     static unsigned less(const Float& a, const Float& b) {

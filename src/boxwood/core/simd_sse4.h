@@ -6,6 +6,7 @@
 
 #include "boxwood/core/simd.h"
 #include "boxwood/core/simd_compress.h"
+#include "boxwood/core/simd_fused.h"
 
 namespace boxwood {
 
@@ -39,15 +40,13 @@ struct Sse4 {
     static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
-        const __m128d low = fused(_mm_cvtps_pd(a), _mm_cvtps_pd(b), _mm_cvtps_pd(c));
-        const __m128d high = fused(upper(a), upper(b), upper(c));
+        const __m128d low = fused_to_odd(_mm_cvtps_pd(a), _mm_cvtps_pd(b), _mm_cvtps_pd(c));
+        const __m128d high = fused_to_odd(upper(a), upper(b), upper(c));
         return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
     }
 
     static BOXWOOD_KERNEL unsigned less(Float a, Float b) { return bits(_mm_cmplt_ps(a, b)); }
-    static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) {
-        return bits(_mm_cmple_ps(a, b));
-    }
+    static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) { return bits(_mm_cmple_ps(a, b)); }
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) { return bits(_mm_cmpeq_ps(a, b)); }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
@@ -67,8 +66,8 @@ struct Sse4 {
         // Bytes 4 i to 4 i + 3 for lane i.
         const Int first = _mm_shuffle_epi8(
             order, _mm_setr_epi8(0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12));
-        return _mm_shuffle_epi8(
-            x, _mm_add_epi8(_mm_slli_epi32(first, 2), _mm_set1_epi32(0x03020100)));
+        return _mm_shuffle_epi8(x,
+                                _mm_add_epi8(_mm_slli_epi32(first, 2), _mm_set1_epi32(0x03020100)));
     }
 
     static BOXWOOD_KERNEL Float as_float(Int x) { return _mm_castsi128_ps(x); }
@@ -118,8 +117,7 @@ private:
     }
     static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
         const Int lane = _mm_setr_epi32(1, 2, 4, 8);
-        return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(mask)), lane),
-                                 lane);
+        return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(static_cast<int>(mask)), lane), lane);
     }
     static BOXWOOD_KERNEL unsigned bits(__m128 mask) {
         return static_cast<unsigned>(_mm_movemask_ps(mask));
@@ -128,29 +126,6 @@ private:
         return _mm_cvtepu8_epi32(_mm_loadu_si32(kCompressLanes.of[mask]));
     }
     static BOXWOOD_KERNEL __m128d upper(Float x) { return _mm_cvtps_pd(_mm_movehl_ps(x, x)); }
-    /// The exact product of two floats plus a float, rounded to odd in double: where digits are
-    /// lost, the last one kept is odd, so that rounding on to float sees on which side of a tie the
-    /// sum lies. Source: Boldo and Melquiond, "Emulation of a FMA and correctly rounded sums",
-    /// IEEE Transactions on Computers 57(4), 2008.
-    static BOXWOOD_KERNEL __m128d fused(__m128d a, __m128d b, __m128d c) {
-        const __m128d p = _mm_mul_pd(a, b);
-        const __m128d sum = _mm_add_pd(p, c);
-        const __m128d of_c = _mm_sub_pd(sum, p);
-        const __m128d error =
-            _mm_add_pd(_mm_sub_pd(p, _mm_sub_pd(sum, of_c)), _mm_sub_pd(c, of_c));
-        const __m128i bits = _mm_castpd_si128(sum);
-        const __m128i one = _mm_set1_epi64x(1);
-        // Where the sum isn't exact and even: one step towards the error.
-        const __m128i inexact = _mm_castpd_si128(_mm_cmpneq_pd(error, _mm_setzero_pd()));
-        const __m128i even = _mm_sub_epi64(_mm_and_si128(bits, one), one);
-        const __m128i signs = _mm_castpd_si128(_mm_xor_pd(error, sum));
-        const __m128i shrinks =
-            _mm_shuffle_epi32(_mm_srai_epi32(signs, 31), _MM_SHUFFLE(3, 3, 1, 1));
-        const __m128i step = _mm_or_si128(shrinks, one);
-        const __m128i odd =
-            _mm_add_epi64(bits, _mm_and_si128(step, _mm_and_si128(inexact, even)));
-        return _mm_castsi128_pd(odd);
-    }
 };
 
 }  // namespace boxwood
