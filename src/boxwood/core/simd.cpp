@@ -12,6 +12,10 @@ std::span<const Named<InstructionSet>> instruction_sets() {
         {"sse4", InstructionSet::sse4},
         {"avx2", InstructionSet::avx2},
         {"avx512", InstructionSet::avx512},
+#elif defined(__aarch64__)
+        {"neon", InstructionSet::neon},
+#elif defined(__wasm__)
+        {"wasm", InstructionSet::wasm},
 #endif
     };
     return kSets;
@@ -31,6 +35,13 @@ bool is_supported(InstructionSet set) {
             return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                    __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
                    is_supported(InstructionSet::avx2);
+#elif defined(__aarch64__)
+        case InstructionSet::neon:
+            return true;
+#elif defined(__wasm__)
+        // A machine without it wouldn't have accepted the program.
+        case InstructionSet::wasm:
+            return true;
 #endif
         default:
             return false;

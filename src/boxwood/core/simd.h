@@ -7,7 +7,9 @@
 //   Float, Int                    vectors of kWidth floats, of kWidth 32-bit integers
 //   load, store                   aligned to the size of the vector; store_unaligned: not
 //   broadcast(x)                  x in every lane
-//   min, max                      lane by lane
+//   min(a, b), max(a, b)          lane by lane; b where a is NaN, one of them where b is; of 0 and
+//   -0
+//                                 either, here and below
 //   multiply_add(a, b, c)         a b + c, rounded once or twice as the machine likes
 //   fused(a, b, c)                a b + c rounded once, the same on every machine
 //   less, less_equal, equal       masks: bit i is lane i
@@ -20,7 +22,7 @@
 //   select(mask, a, b)            lanes of a where the mask is set, else of b
 //   store_masked(mask, p, x)      x into the lanes of the mask
 //   greatest(x)                   the greatest lane
-//   least(mask, x)                the least lane of the mask, which isn't empty
+//   least(mask, x)                the least lane of the mask, which isn't empty; no NaN for both
 //   Quad                          the struct for four lanes, for the coordinates of one ray; it has
 //                                 abs(x), copy_sign(size, sign) for a size >= 0, signs(x) besides
 //
@@ -38,7 +40,7 @@
 
 namespace boxwood {
 
-enum class InstructionSet { scalar, sse4, avx2, avx512 };
+enum class InstructionSet { scalar, sse4, avx2, avx512, neon, wasm };
 
 /// Those compiled in, from the plainest on, by name.
 std::span<const Named<InstructionSet>> instruction_sets();
@@ -46,8 +48,8 @@ std::span<const Named<InstructionSet>> instruction_sets();
 /// Whether this machine can run it.
 bool is_supported(InstructionSet set);
 
-/// What the environment variable BOXWOOD_ISA names (scalar, sse4, avx2 or avx512) if the machine
-/// has it, else the best that it has. Decided once.
+/// What the environment variable BOXWOOD_ISA names (scalar, sse4, avx2, avx512, neon or wasm) if
+/// the machine has it, else the best that it has. Decided once.
 InstructionSet preferred_instruction_set();
 
 /// Lanes of a float vector.

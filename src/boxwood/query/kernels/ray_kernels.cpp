@@ -12,6 +12,12 @@ const RayKernels& ray_kernels(InstructionSet set) {
             return avx2_kernels();
         case InstructionSet::avx512:
             return avx512_kernels();
+#elif defined(__aarch64__)
+        case InstructionSet::neon:
+            return neon_kernels();
+#elif defined(__wasm__)
+        case InstructionSet::wasm:
+            return wasm_kernels();
 #endif
         default:
             return scalar_kernels();

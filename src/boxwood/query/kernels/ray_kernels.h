@@ -33,6 +33,8 @@ const RayKernels& scalar_kernels();
 const RayKernels& sse4_kernels();
 const RayKernels& avx2_kernels();
 const RayKernels& avx512_kernels();
+const RayKernels& neon_kernels();
+const RayKernels& wasm_kernels();
 
 /// Precondition: is_supported(set).
 const RayKernels& ray_kernels(InstructionSet set);

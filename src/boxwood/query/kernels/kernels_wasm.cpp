@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#if defined(__wasm__)  // linters come by on other machines too
+#include "boxwood/core/simd_wasm.h"
+#include "boxwood/query/kernels/batch.h"
+#include "boxwood/query/kernels/ray_kernels.h"
+
+namespace boxwood {
+
+const RayKernels& wasm_kernels() {
+    static constexpr RayKernels kKernels = {closest_hit<Wasm>, any_hit<Wasm>, closest_hits<Wasm>,
+                                            any_hits<Wasm>, walk_candidates<Wasm>};
+    return kKernels;
+}
+
+}  // namespace boxwood
+#endif
