@@ -8,6 +8,7 @@
 
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/rayf.h"
+#include "core/float_fma.h"
 
 namespace boxwood {
 
@@ -66,7 +67,7 @@ private:
     /// p.x q.y - p.y q.x
     static float edge(const Corner& p, const Corner& q) {
         const float py_qx = p.y * q.x;
-        return std::fma(p.x, q.y, -py_qx) + std::fma(-p.y, q.x, py_qx);
+        return float_fma(p.x, q.y, -py_qx) + float_fma(-p.y, q.x, py_qx);
     }
 
     std::optional<Hitf> intersect(std::uint32_t i) const {
