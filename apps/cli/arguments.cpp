@@ -34,7 +34,10 @@ std::optional<std::size_t> parse_count(std::string_view text) {
 
 SceneOptions Accelerator::scene_options() const {
     if (name == kBrute) return {.brute_force = true};
-    return {.build = {value_of(build_methods(), name), value_of(merge_costs(), cost)}};
+    for (const auto& preset : build_presets()) {
+        if (preset.name == name) return {.preset = preset.value};
+    }
+    return {.build = BuildOptions{value_of(build_methods(), name), value_of(merge_costs(), cost)}};
 }
 
 void add_cost(CLI::App& command, std::string& cost) {
@@ -49,9 +52,14 @@ void add_threads(CLI::App& command, std::size_t& threads) {
         ->capture_default_str();
 }
 
+std::optional<std::string> slow_build_warning(std::size_t triangles, const SceneOptions& options) {
+    return options.build ? warning_before_build(triangles, *options.build) : std::nullopt;
+}
+
 std::vector<std::string> accelerator_names() {
-    std::vector<std::string> result = names(build_methods());
-    result.insert(result.begin(), kBrute);
+    std::vector<std::string> result = names(build_presets());
+    result.emplace_back(kBrute);
+    for (const std::string& method : names(build_methods())) result.push_back(method);
     return result;
 }
 

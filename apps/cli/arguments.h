@@ -15,7 +15,7 @@ namespace boxwood::cli {
 
 /// How hits are found, as a user names it.
 struct Accelerator {
-    std::string name = "binned_sah";
+    std::string name = "balanced";
     std::string cost = "surface_area";
 
     SceneOptions scene_options() const;
@@ -26,7 +26,10 @@ void add_cost(CLI::App& command, std::string& cost);
 /// Adds --threads.
 void add_threads(CLI::App& command, std::size_t& threads);
 
-/// "brute" and the builders.
+/// What to say before a build that takes minutes or more; else nothing.
+std::optional<std::string> slow_build_warning(std::size_t triangles, const SceneOptions& options);
+
+/// The presets, "brute" and the builders.
 std::vector<std::string> accelerator_names();
 
 template <class Value>

@@ -18,7 +18,7 @@ namespace {
 
 struct BenchArguments {
     std::vector<std::string> meshes;
-    std::vector<std::string> builders = {"median", "binned_sah"};
+    std::vector<std::string> builders = {"median", "binned_sah", "balanced"};
     std::string cost = "surface_area";
     std::size_t rays = 100'000;
     bool json = false;
@@ -117,7 +117,7 @@ void run(const BenchArguments& arguments) {
         std::vector<Row> rows = {measure("brute", Scene({mesh}, {.brute_force = true}), 0, sets)};
         for (const std::string& builder : arguments.builders) {
             const SceneOptions options = Accelerator{builder, arguments.cost}.scene_options();
-            if (const auto warning = warning_before_build(mesh.faces.size(), options.build))
+            if (const auto warning = slow_build_warning(mesh.faces.size(), options))
                 fmt::print(stderr, "boxwood: warning: {}\n", *warning);
             Stopwatch stopwatch;
             const Scene scene({mesh}, options);
@@ -139,8 +139,8 @@ void add_bench(CLI::App& app) {
         app.add_subcommand("bench", "Time builders and rays, with brute force for scale");
     auto arguments = std::make_shared<BenchArguments>();
     command->add_option("MESH", arguments->meshes, mesh_argument_help())->required();
-    command->add_option("--accelerator", arguments->builders, "builders to time")
-        ->check(CLI::IsMember(names(build_methods())))
+    command->add_option("--accelerator", arguments->builders, "presets and builders to time")
+        ->check(CLI::IsMember(accelerator_names()))
         ->delimiter(',')
         ->capture_default_str();
     add_cost(*command, arguments->cost);

@@ -29,7 +29,7 @@ struct TreeReport {
 };
 
 TreeReport report_tree(MeshView mesh, const std::string& builder, const std::string& cost) {
-    const BuildOptions options = Accelerator{builder, cost}.scene_options().build;
+    const BuildOptions options = *Accelerator{builder, cost}.scene_options().build;
     if (const auto warning = warning_before_build(mesh.faces.size(), options))
         fmt::print(stderr, "boxwood: warning: {}\n", *warning);
     Stopwatch stopwatch;

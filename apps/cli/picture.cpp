@@ -23,9 +23,9 @@ bool parse_size(const std::string& text, int& width, int& height) {
     return second.ec == std::errc{} && second.ptr == end && is_image_size(width, height);
 }
 
-void warn_of_slow_builds(const World& world, const BuildOptions& options) {
+void warn_of_slow_builds(const World& world, const SceneOptions& options) {
     for (const MeshObject& object : world.meshes) {
-        if (const auto warning = warning_before_build(object.mesh.faces.size(), options))
+        if (const auto warning = slow_build_warning(object.mesh.faces.size(), options))
             fmt::print(stderr, "boxwood: warning: {}\n", *warning);
     }
 }
@@ -67,8 +67,7 @@ void make_picture(const World& world, const PictureOptions& options, double load
     const IntegratorKind integrator = value_of(integrators(), options.integrator);
     SceneOptions scene_options = options.accelerator.scene_options();
     scene_options.keep_trees = integrator == IntegratorKind::heat;
-    if (!options.quiet && !scene_options.brute_force)
-        warn_of_slow_builds(world, scene_options.build);
+    if (!options.quiet) warn_of_slow_builds(world, scene_options);
 
     Stopwatch stopwatch;
     const Surfaces surfaces(world, scene_options);

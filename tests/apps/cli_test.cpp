@@ -103,7 +103,7 @@ TEST_F(Cli, every_integrator_accelerator_and_cost_renders) {
           "--accelerator agglomerative --cost centroid_distance",
           "--accelerator agglomerative --cost volume_increase",
           "--accelerator agglomerative --cost surface_area", "--accelerator binned_sah",
-          "--accelerator block_sah", "--threads 3"})
+          "--accelerator block_sah", "--accelerator fast", "--accelerator best", "--threads 3"})
         EXPECT_EQ(run("render scene.json --size 16x12 " + std::string(options)).exit_code, 0)
             << options;
 }

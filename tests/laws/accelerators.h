@@ -50,9 +50,11 @@ inline void PrintTo(const NamedAccelerator& accelerator, std::ostream* out) {
     *out << accelerator.name;
 }
 
-/// Brute force first, then a tree of each build.
+/// Brute force first, then a tree of each preset and each build.
 inline std::vector<NamedAccelerator> all_accelerators() {
     std::vector<NamedAccelerator> accelerators = {{"brute", {.brute_force = true}}};
+    for (const auto& preset : build_presets())
+        accelerators.push_back({std::string(preset.name), {.preset = preset.value}});
     for (const auto& [name, options] : all_builds())
         accelerators.push_back({name, {.build = options}});
     return accelerators;

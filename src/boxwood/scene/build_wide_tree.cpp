@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/scene/build_wide_tree.h"
 
+#include <utility>
+
 #include "boxwood/build/block_sah.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/reinsertion.h"
@@ -13,35 +15,43 @@ namespace {
 /// What a tree with split triangles has to save, as it is larger and fits less into the caches.
 constexpr double kWorthSplitting = 0.97;
 
-WideTree fast(MeshView mesh, const WideTreeOptions& options, std::uint32_t width) {
-    return {mesh, build_morton(triangle_boxes(mesh), {.largest_leaf = width}), options};
+BuiltTree collapsed(MeshView mesh, Tree tree, const WideBuildOptions& options) {
+    WideTree wide(mesh, tree, {options.instruction_set});
+    return {std::move(tree), std::move(wide)};
 }
 
-WideTree balanced(MeshView mesh, const WideTreeOptions& options, std::uint32_t width) {
+Tree balanced(MeshView mesh, std::uint32_t width) {
     Tree tree = build_block_sah(mesh, {.block = width});
     optimize_by_reinsertion(tree);
-    return {mesh, tree, options};
+    return tree;
 }
 
-WideTree with_splits(MeshView mesh, const WideTreeOptions& options, std::uint32_t width) {
+Tree with_splits(MeshView mesh, std::uint32_t width) {
     // Small leaves leave the collapse a choice of where blocks begin.
     const std::uint32_t leaf = width / 4;
     Tree tree = build_spatial_split(mesh, {.largest_leaf = leaf, .leaf_block = leaf});
     optimize_by_reinsertion(tree);
-    return {mesh, tree, options};
+    return tree;
 }
 
 }  // namespace
 
-WideTree build_wide_tree(MeshView mesh, const WideBuildOptions& options) {
-    const WideTreeOptions wide_options = {options.instruction_set};
+BuiltTree build_preset(MeshView mesh, const WideBuildOptions& options) {
     const auto width = static_cast<std::uint32_t>(lanes(options.instruction_set));
-    if (options.preset == BuildPreset::fast) return fast(mesh, wide_options, width);
-    WideTree whole = balanced(mesh, wide_options, width);
+    if (options.preset == BuildPreset::fast) {
+        Tree tree = build_morton(triangle_boxes(mesh), {.largest_leaf = width});
+        return collapsed(mesh, std::move(tree), options);
+    }
+    BuiltTree whole = collapsed(mesh, balanced(mesh, width), options);
     if (options.preset == BuildPreset::balanced) return whole;
     // The cost of the wide tree tells which is faster; that of the binary one doesn't.
-    WideTree split = with_splits(mesh, wide_options, width);
-    return split.cost() < kWorthSplitting * whole.cost() ? std::move(split) : std::move(whole);
+    BuiltTree split = collapsed(mesh, with_splits(mesh, width), options);
+    const bool pays = split.wide.cost() < kWorthSplitting * whole.wide.cost();
+    return pays ? std::move(split) : std::move(whole);
+}
+
+WideTree build_wide_tree(MeshView mesh, const WideBuildOptions& options) {
+    return build_preset(mesh, options).wide;
 }
 
 std::span<const Named<BuildPreset>> build_presets() {

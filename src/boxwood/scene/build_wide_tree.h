@@ -7,6 +7,7 @@
 #include "boxwood/core/simd.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/wide_tree.h"
+#include "boxwood/tree/tree.h"
 
 namespace boxwood {
 
@@ -22,8 +23,17 @@ struct WideBuildOptions {
     InstructionSet instruction_set = preferred_instruction_set();
 };
 
-/// The wide tree over the triangles of a mesh that the preset gives: the same for any number of
-/// threads. O(n log n), all cores. Precondition: indices in range.
+/// A tree as it was built, and the fast form that queries walk.
+struct BuiltTree {
+    Tree tree;
+    WideTree wide;
+};
+
+/// The tree over the triangles of a mesh that the preset gives: the same for any number of threads.
+/// O(n log n), all cores. Precondition: indices in range.
+BuiltTree build_preset(MeshView mesh, const WideBuildOptions& options = {});
+
+/// Its fast form alone.
 WideTree build_wide_tree(MeshView mesh, const WideBuildOptions& options = {});
 
 std::span<const Named<BuildPreset>> build_presets();

@@ -19,6 +19,13 @@ Ray ray_in_mesh(Ray ray, std::uint32_t mesh) {
     return ray;
 }
 
+BuiltTree build(MeshView mesh, const SceneOptions& options) {
+    if (!options.build) return build_preset(mesh, {.preset = options.preset});
+    Tree tree = build_tree(mesh, *options.build);
+    WideTree wide(mesh, tree);
+    return {std::move(tree), std::move(wide)};
+}
+
 }  // namespace
 
 Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
@@ -28,10 +35,10 @@ Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
 
     std::vector<Box3f> boxes;
     for (const MeshView& mesh : meshes_) {
-        Tree tree = build_tree(mesh, options.build);
-        boxes.push_back(tree.is_empty() ? Box3f{} : tree.root().box);
-        wide_trees_.emplace_back(mesh, tree);
-        if (options.keep_trees) trees_.push_back(std::move(tree));
+        BuiltTree built = build(mesh, options);
+        boxes.push_back(built.wide.bounds());
+        wide_trees_.push_back(std::move(built.wide));
+        if (options.keep_trees) trees_.push_back(std::move(built.tree));
     }
     // A single mesh needs no second tree to be found by.
     if (meshes_.size() > 1) top_ = build_tree(boxes);

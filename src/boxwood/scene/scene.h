@@ -10,13 +10,15 @@
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/query/wide_tree.h"
+#include "boxwood/scene/build_wide_tree.h"
 #include "boxwood/tree/tree.h"
 
 namespace boxwood {
 
 /// How a scene finds its hits.
 struct SceneOptions {
-    BuildOptions build = {};
+    BuildPreset preset = BuildPreset::balanced;
+    std::optional<BuildOptions> build = {};  ///< a builder of your choice in place of the preset
     bool brute_force = false;  ///< no trees: test every triangle
     /// Keeps the trees as they were built, beside the fast form that queries walk: for queries that
     /// count their steps, and for trees().
