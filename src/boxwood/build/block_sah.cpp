@@ -204,11 +204,10 @@ private:
         for (const Bins& part : parts) bins.add(part);
     }
 
-    void bin(std::uint32_t begin, std::uint32_t end, const Binning& range_binning,
-             Bins& bins) const {
-        const Binning binning = range_binning;  // so that it stays in registers
-        const auto add = [&](std::uint32_t i, Bins& to) {
-            const Reference& reference = references_[i];
+    void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const {
+        // A copy of the binning stays in registers, whatever is written to.
+        const auto add = [binning, references = references_](std::uint32_t i, Bins& to) {
+            const Reference& reference = references[i];
             to.add(reference.box, binning.place(reference.center()).cast<int>());
         };
         std::uint32_t i = begin;
@@ -278,7 +277,9 @@ private:
     /// the first one of the right side, and on the left that side begins one later.
     void partition(const Range& range, const Binning& binning, const Split& split, Range& left,
                    Range& right) {
-        const auto border = static_cast<float>(split.bin);
+        const auto is_right = [binning, split](const Eigen::Array4f& center) {
+            return binning.place(center)[split.axis] >= static_cast<float>(split.bin);
+        };
         Box4 centers[2][2] = {{Box4::empty(), Box4::empty()}, {Box4::empty(), Box4::empty()}};
         Reference* middle = references_ + range.begin;
         Reference* end = references_ + range.end;
@@ -286,12 +287,12 @@ private:
         for (Reference* r = middle; r != end; ++r) {
             const Reference reference = *r;
             const Eigen::Array4f center = reference.center();
-            const bool is_right = binning.place(center)[split.axis] >= border;
-            centers[turn][is_right].extend(center);
+            const bool side = is_right(center);
+            centers[turn][side].extend(center);
             turn ^= 1;
             *r = *middle;
             *middle = reference;
-            middle += !is_right;
+            middle += !side;
         }
         left.centers = centers[0][0];
         left.centers.extend(centers[1][0]);
