@@ -79,6 +79,7 @@ TEST(BlockSah, wide_trees_cost_little_more_than_over_binned_sah) {
 
 TEST(BlockSah, depth_is_bounded_on_places_that_double) {
     std::vector<Box3f> boxes;
+    boxes.reserve(3500);
     for (int i = 0; i < 3000; ++i) boxes.push_back(point_box(std::ldexp(1, i % 250 - 125), 0, 0));
     for (int i = 0; i < 250; ++i) {
         boxes.push_back(point_box(0, std::ldexp(1, -i / 2), 0));
