@@ -26,8 +26,7 @@ public:
         std::vector<Vec3d> vertices(mesh.vertex_count());
         for (std::size_t i = 0; i < vertices.size(); ++i)
             vertices[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
-        const std::span faces(reinterpret_cast<const Vec3i*>(mesh.faces.data()),
-                              mesh.face_count());
+        const std::span faces(reinterpret_cast<const Vec3i*>(mesh.faces.data()), mesh.face_count());
         constexpr BuildPreset kPresets[] = {BuildPreset::fast, BuildPreset::balanced,
                                             BuildPreset::best};
         tree_ = build_wide_tree(MeshView{vertices, faces},

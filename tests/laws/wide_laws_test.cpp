@@ -88,7 +88,8 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         Ray ray = random_ray(mesh, seed);
         // Some from so far away that float can't tell the scene from a point.
-        if (seed % 4 == 0) ray.origin -= std::ldexp(1.0, static_cast<int>(seed % 80)) * ray.direction;
+        if (seed % 4 == 0)
+            ray.origin -= std::ldexp(1.0, static_cast<int>(seed % 80)) * ray.direction;
         const auto expected = closest_hit_brute_force(mesh, ray);
         for (const auto& [name, tree] : trees) {
             const auto found = closest_hit(mesh, tree, ray);
@@ -134,7 +135,8 @@ TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
     std::vector<std::optional<Hitf>> expected;
     for (const Rayf& ray : rays) expected.push_back(FloatOracle(mesh, ray, scale).closest_hit());
     for (const auto& [name, tree] : trees) {
-        for (const std::size_t count : {std::size_t{1}, std::size_t{7}, std::size_t{64}, rays.size()}) {
+        for (const std::size_t count :
+             {std::size_t{1}, std::size_t{7}, std::size_t{64}, rays.size()}) {
             std::vector<Hitf> hits(count);
             const std::unique_ptr<bool[]> any(new bool[count]);
             closest_hits(tree, std::span(rays).first(count), hits);

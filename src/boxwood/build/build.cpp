@@ -70,14 +70,10 @@ std::optional<std::string> warning_before_build(std::size_t primitives,
 
 std::span<const Named<BuildMethod>> build_methods() {
     static constexpr Named<BuildMethod> kMethods[] = {
-        {"median", BuildMethod::median},
-        {"agglomerative", BuildMethod::agglomerative},
-        {"binned_sah", BuildMethod::binned_sah},
-        {"block_sah", BuildMethod::block_sah},
-        {"morton", BuildMethod::morton},
-        {"ploc", BuildMethod::ploc},
-        {"sweep_sah", BuildMethod::sweep_sah},
-        {"spatial_split", BuildMethod::spatial_split},
+        {"median", BuildMethod::median},           {"agglomerative", BuildMethod::agglomerative},
+        {"binned_sah", BuildMethod::binned_sah},   {"block_sah", BuildMethod::block_sah},
+        {"morton", BuildMethod::morton},           {"ploc", BuildMethod::ploc},
+        {"sweep_sah", BuildMethod::sweep_sah},     {"spatial_split", BuildMethod::spatial_split},
         {"reinsertion", BuildMethod::reinsertion},
     };
     return kMethods;

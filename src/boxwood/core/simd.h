@@ -24,7 +24,8 @@
 //   greatest(x)                   the greatest lane
 //   least(mask, x)                the least lane of the mask, which isn't empty; no NaN for both
 //   Quad                          the struct for four lanes, for the coordinates of one ray; it has
-//                                 abs(x), copy_sign(size, sign) for a size >= 0, signs(x) besides
+//                                 abs(x), copy_sign(size, sign) for a size >= 0, signs(x) and
+//                                 largest_of_three(x), in every lane, besides
 //
 // Floats also add, subtract and multiply by their operators.
 #pragma once

@@ -119,7 +119,7 @@ private:
     static BOXWOOD_KERNEL Int mask_of(unsigned mask) {
         const Int lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
         return _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), lane),
-                                 lane);
+                                  lane);
     }
     static BOXWOOD_KERNEL unsigned bits(__m256 mask) {
         return static_cast<unsigned>(_mm256_movemask_ps(mask));

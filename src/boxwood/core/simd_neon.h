@@ -31,6 +31,10 @@ struct Neon {
     static BOXWOOD_KERNEL Float copy_sign(Float size, Float sign) {
         return vbslq_f32(vdupq_n_u32(0x80000000u), sign, size);
     }
+    /// In every lane.
+    static BOXWOOD_KERNEL Float largest_of_three(Float x) {
+        return max(max(vdupq_laneq_f32(x, 0), vdupq_laneq_f32(x, 1)), vdupq_laneq_f32(x, 2));
+    }
     static BOXWOOD_KERNEL unsigned signs(Float x) {
         return bits(vcltzq_s32(vreinterpretq_s32_f32(x)));
     }

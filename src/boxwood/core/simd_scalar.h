@@ -71,6 +71,11 @@ struct Scalar {
     static Float copy_sign(const Float& size, const Float& sign) {
         return Float::map([&](int i) { return std::copysign(size.lane[i], sign.lane[i]); });
     }
+    /// In every lane.
+    static Float largest_of_three(const Float& x) {
+        const float xy = x.lane[0] > x.lane[1] ? x.lane[0] : x.lane[1];
+        return broadcast(xy > x.lane[2] ? xy : x.lane[2]);
+    }
     static unsigned signs(const Float& x) {
         return bits([&](int i) { return std::signbit(x.lane[i]); });
     }

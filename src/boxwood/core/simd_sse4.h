@@ -37,6 +37,13 @@ struct Sse4 {
     static BOXWOOD_KERNEL Float copy_sign(Float size, Float sign) {
         return _mm_or_ps(size, _mm_and_ps(_mm_set1_ps(-0.0f), sign));
     }
+    /// In every lane.
+    static BOXWOOD_KERNEL Float largest_of_three(Float x) {
+        const Float y = _mm_shuffle_ps(x, x, _MM_SHUFFLE(1, 1, 1, 1));
+        const Float z = _mm_shuffle_ps(x, x, _MM_SHUFFLE(2, 2, 2, 2));
+        const Float xxxx = _mm_shuffle_ps(x, x, _MM_SHUFFLE(0, 0, 0, 0));
+        return max(max(xxxx, y), z);
+    }
     static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {

@@ -39,6 +39,11 @@ struct Wasm {
         const Int sign_bits = wasm_v128_and(bytes(sign), wasm_i32x4_splat(INT32_MIN));
         return floats(wasm_v128_or(bytes(size), sign_bits));
     }
+    /// In every lane.
+    static BOXWOOD_KERNEL Float largest_of_three(Float x) {
+        return max(max(wasm_i32x4_shuffle(x, x, 0, 0, 0, 0), wasm_i32x4_shuffle(x, x, 1, 1, 1, 1)),
+                   wasm_i32x4_shuffle(x, x, 2, 2, 2, 2));
+    }
     static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(bytes(x)); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {

@@ -17,7 +17,9 @@ using WideReference = std::uint32_t;
 constexpr WideReference kLeafBit = 0x80000000u;
 constexpr std::size_t kReferenceUnit = 32;
 
-BOXWOOD_KERNEL constexpr bool is_leaf(WideReference reference) { return (reference & kLeafBit) != 0; }
+BOXWOOD_KERNEL constexpr bool is_leaf(WideReference reference) {
+    return (reference & kLeafBit) != 0;
+}
 BOXWOOD_KERNEL constexpr std::size_t byte_offset(WideReference reference) {
     return std::size_t{reference & ~kLeafBit} * kReferenceUnit;
 }
@@ -39,7 +41,7 @@ struct alignas(4 * N) WideNode {
 /// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners.
 template <int N>
 struct alignas(4 * N) TriangleBlock {
-    float corner[3][3][N];     ///< [a, b, c][x, y, z]
+    float corner[3][3][N];  ///< [a, b, c][x, y, z]
     std::uint32_t triangle[N];
 };
 

@@ -19,7 +19,7 @@ namespace boxwood {
 struct SceneOptions {
     BuildPreset preset = BuildPreset::balanced;
     std::optional<BuildOptions> build = {};  ///< a builder of your choice in place of the preset
-    bool brute_force = false;  ///< no trees: test every triangle
+    bool brute_force = false;                ///< no trees: test every triangle
     /// Keeps the trees as they were built, beside the fast form that queries walk: for queries that
     /// count their steps, and for trees().
     bool keep_trees = false;

@@ -34,8 +34,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
                 const int largest = 31 - __builtin_clz(hit);
                 current = node.child[largest];
                 if ((hit & (hit - 1)) != 0) {
-                    S::store_unaligned(references + size,
-                                       S::compress(hit, S::load(node.child)));
+                    S::store_unaligned(references + size, S::compress(hit, S::load(node.child)));
                     size += __builtin_popcount(hit) - 1;
                 }
                 continue;

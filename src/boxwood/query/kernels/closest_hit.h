@@ -55,8 +55,7 @@ BOXWOOD_KERNEL void walk(const WideTreeView& tree, const RaySetup& setup,
                 }
                 const auto order = S::order(node.order, static_cast<int>(setup.octant));
                 const Float ordered_enter = S::permute(enter, order);
-                const unsigned ordered =
-                    S::less_equal(ordered_enter, S::permute(leave, order));
+                const unsigned ordered = S::less_equal(ordered_enter, S::permute(leave, order));
                 const auto child = S::permute(S::load(node.child), order);
                 S::store_unaligned(references + size, S::compress(ordered, child));
                 S::store_unaligned(distances + size, S::compress(ordered, ordered_enter));

@@ -3,9 +3,9 @@
 // compared with the frustum around all of them, one box on the stack with the N frusta around the
 // packets, a triangle first with these and then, with the test that single rays use, with the rays
 // of the packets that it may be seen by. So a box or a triangle is fetched once for many rays.
-// With z the depth along the largest axis of direction, a ray is the points (x, y) = z (sx, sy), and
-// (sx, sy) is the shear of the triangle test: what is a frustum in space is a rectangle there, and
-// the edge functions of a triangle are linear in it. All bounds have room for all rounding.
+// With z the depth along the largest axis of direction, a ray is the points (x, y) = z (sx, sy),
+// and (sx, sy) is the shear of the triangle test: what is a frustum in space is a rectangle there,
+// and the edge functions of a triangle are linear in it. All bounds have room for all rounding.
 // Explained in docs/algorithms/frustum.md. Sources: Reshetov, Soupikov and Hurley, "Multi-Level Ray
 // Tracing Algorithm", SIGGRAPH 2005; Overbeck, Ramamoorthi and Mark, "Large Ray Packets for
 // Real-time Whitted Ray Tracing", RT 2008.
@@ -114,8 +114,8 @@ private:
         const Float x = S::load(direction[kx_]), y = S::load(direction[ky_]),
                     z = S::load(direction[kz_]);
         const Float sign = S::broadcast(sign_), depth = z * sign;
-        unsigned fits = S::equal(record[3], S::broadcast(t_min_)) &
-                        S::less_equal(record[3], record[7]);
+        unsigned fits =
+            S::equal(record[3], S::broadcast(t_min_)) & S::less_equal(record[3], record[7]);
         for (int k = 0; k < 3; ++k) fits &= S::equal(record[k], S::broadcast(first.origin[k]));
         // Equally large axes: the first of them counts, as for single rays.
         const auto fits_beside = [&](Float other, bool comes_first) {
@@ -158,7 +158,8 @@ private:
         farthest_ = S::greatest(S::load(far_));
         float spread = 0;
         for (int packet = 0; packet < N; ++packet)
-            spread += (range_x_[1][packet] - range_x_[0][packet]) + (range_y_[1][packet] - range_y_[0][packet]);
+            spread += (range_x_[1][packet] - range_x_[0][packet]) +
+                      (range_y_[1][packet] - range_y_[0][packet]);
         const float group_spread = (group_hi_x_ - group_lo_x_) + (group_hi_y_ - group_lo_y_);
         return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
     }
@@ -289,8 +290,7 @@ private:
         }
         // Rays that hit a triangle in front of the origin see it from the side on which the origin
         // lies: that makes the sign of all its edge functions.
-        const Float volume =
-            (x[0] * e[0][0] + y[0] * e[0][1]) + z[0] * e[0][2];
+        const Float volume = (x[0] * e[0][0] + y[0] * e[0][1]) + z[0] * e[0][2];
         const Float margin = S::broadcast(0x1p-16f) * edge_size * corner_size;
         // The volume is wrong by less than this; where its sign isn't sure, nothing is left out.
         const Float doubt = S::broadcast(0x1p-17f) * edge_size * corner_size * corner_size;
@@ -313,10 +313,9 @@ private:
         };
         unsigned triangles = S::less_equal(front, S::broadcast(farthest_));
         for (int i = 0; i < 3; ++i) {
-            const Float most =
-                most_over(e[i][0], e[i][1], e[i][2], S::broadcast(group_lo_x_),
-                          S::broadcast(group_hi_x_), S::broadcast(group_lo_y_),
-                          S::broadcast(group_hi_y_));
+            const Float most = most_over(e[i][0], e[i][1], e[i][2], S::broadcast(group_lo_x_),
+                                         S::broadcast(group_hi_x_), S::broadcast(group_lo_y_),
+                                         S::broadcast(group_hi_y_));
             triangles &= S::less_equal(least, most);
         }
         // An edge function is largest where x is, if it rises with it, else where x is least.
@@ -342,9 +341,9 @@ private:
 
     BOXWOOD_KERNEL static Float edge_function(const Edges& edges, int i, int j, const float* x,
                                               const float* y) {
-        return S::multiply_add(S::broadcast(edges.x[i][j]), S::load(x),
-                               S::multiply_add(S::broadcast(edges.y[i][j]), S::load(y),
-                                               S::broadcast(edges.w[i][j])));
+        return S::multiply_add(
+            S::broadcast(edges.x[i][j]), S::load(x),
+            S::multiply_add(S::broadcast(edges.y[i][j]), S::load(y), S::broadcast(edges.w[i][j])));
     }
 
     /// Adds the pairs of triangle j and the packets of a mask, eight at a time, without a branch.
@@ -379,8 +378,8 @@ private:
                                     S::broadcast(from.z[i][j]), sx, sy);
         };
         const Float t = S::load(t_[packet]);
-        const BlockHit<S> hit = intersect<S>(corner(0), corner(1), corner(2),
-                                             S::load(sz_[packet]), S::broadcast(t_min_), t);
+        const BlockHit<S> hit = intersect<S>(corner(0), corner(1), corner(2), S::load(sz_[packet]),
+                                             S::broadcast(t_min_), t);
         if (hit.mask == 0) return 0;
         const std::uint32_t triangle = block.triangle[j];
         unsigned closer = hit.mask;
@@ -390,9 +389,7 @@ private:
             if (triangle_[packet][lane] < triangle) closer &= ~(1u << lane);
         }
         S::store(t_[packet], S::select(closer, hit.t, t));
-        const auto keep = [&](float* place, Float value) {
-            S::store_masked(closer, place, value);
-        };
+        const auto keep = [&](float* place, Float value) { S::store_masked(closer, place, value); };
         keep(v_[packet], hit.v);
         keep(w_[packet], hit.w);
         keep(determinant_[packet], hit.determinant);
@@ -424,7 +421,7 @@ private:
     // Of each ray of each packet.
     alignas(64) float sx_[N][N], sy_[N][N], sz_[N][N], t_[N][N];
     alignas(64) float slope_x_[N][N], slope_y_[N][N];  ///< sx and sy against depth
-    alignas(64) float depth_[N][N];  ///< along z, for each unit of t
+    alignas(64) float depth_[N][N];                    ///< along z, for each unit of t
     alignas(64) float v_[N][N], w_[N][N], determinant_[N][N], normal_[3][N][N];
     alignas(64) std::uint32_t triangle_[N][N];
     unsigned hit_[N];  ///< of each packet: which rays hit something

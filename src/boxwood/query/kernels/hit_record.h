@@ -22,8 +22,7 @@ struct ClosestHit {
     /// Returns whether it was.
     BOXWOOD_KERNEL bool offer(const TriangleBlock<N>& candidates, const BlockHit<S>& hit) {
         const float least = S::least(hit.mask, hit.t);
-        const int first =
-            __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
+        const int first = __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
         if (least == t && candidates.triangle[first] >= triangle) return false;
         t = least;
         triangle = candidates.triangle[first];

@@ -36,8 +36,7 @@ struct NodeRay {
         const float* faces = &node.slabs[0].lo[0];
         Float to_near[3], to_far[3];
         for (int k = 0; k < 3; ++k) {
-            to_near[k] =
-                S::multiply_add(S::load(faces + near_faces[k]), inverse[k], near_term[k]);
+            to_near[k] = S::multiply_add(S::load(faces + near_faces[k]), inverse[k], near_term[k]);
             to_far[k] = S::multiply_add(S::load(faces + far_faces[k]), inverse[k], far_term[k]);
         }
         enter = S::max(S::max(to_near[0], to_near[1]), S::max(to_near[2], t_min));

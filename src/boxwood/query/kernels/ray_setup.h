@@ -10,8 +10,8 @@ namespace boxwood {
 /// Outside these a ray hits nothing, so that no product below overflows.
 constexpr float kShortestDirection = 0x1p-40f, kLongestDirection = 0x1p40f;  ///< largest coordinate
 constexpr float kFarthestOrigin = 0x1p57f;
-/// Coordinates of the direction are at least this part of the largest.
-constexpr float kLeastSlope = 0x1p-28f;
+/// Smaller coordinates of a direction count as this: at most 2^-28 of the largest.
+constexpr float kLeastSlope = 0x1p-68f;
 
 /// Whether a query has to look at all: a ray hits nothing when a coordinate of it is NaN or beyond
 /// the limits above, or not t_min <= t_max.
@@ -26,15 +26,6 @@ BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
     }
     return (sum == sum) & (length >= kShortestDirection) & (length <= kLongestDirection) &
            (distance <= kFarthestOrigin) & (ray.t_min <= ray.t_max);
-}
-
-/// Of the first three lanes.
-template <class Quad>
-BOXWOOD_KERNEL float largest(typename Quad::Float x) {
-    alignas(16) float lane[4];
-    Quad::store(lane, x);
-    const float xy = lane[0] > lane[1] ? lane[0] : lane[1];
-    return xy > lane[2] ? xy : lane[2];
 }
 
 /// All that the tests against boxes and triangles need of a ray, worked out once.
@@ -71,27 +62,32 @@ struct RaySetup {
         const auto direction = Quad::load_unaligned(ray.direction);
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
         // the ray by less than the rounding does not.
-        const auto size = Quad::abs(direction);
-        const auto tiny = Quad::broadcast(kLeastSlope * largest<Quad>(size));
-        const auto reciprocal =
-            Quad::broadcast(1) / Quad::copy_sign(Quad::max(size, tiny), direction);
+        const auto size = Quad::max(Quad::abs(direction), Quad::broadcast(kLeastSlope));
+        const auto reciprocal = Quad::broadcast(1) / Quad::copy_sign(size, direction);
 
         // The origin is moved outward by a bound on all rounding: see docs/algorithms/ray_box.md.
         const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
         const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
-        const float reach = largest<Quad>(Quad::max(to_lo, to_hi));
-        rounding = 0x1p-19f * (reach + largest<Quad>(Quad::abs(origin))) + extra_rounding;
-        const auto outward = Quad::copy_sign(Quad::broadcast(rounding), direction);
+        const auto reach = Quad::largest_of_three(Quad::max(to_lo, to_hi)) +
+                           Quad::largest_of_three(Quad::abs(origin));
+        const auto bound = Quad::broadcast(0x1p-19f) * reach + Quad::broadcast(extra_rounding);
+        const auto outward = Quad::copy_sign(bound, direction);
+        alignas(16) float bounds[4];
+        Quad::store(bounds, bound);
+        rounding = bounds[0];
         Quad::store(inverse, reciprocal);
         Quad::store(near_term, -((origin + outward) * reciprocal));
         Quad::store(far_term, -((origin - outward) * reciprocal));
         octant = Quad::signs(direction) & 7;
 
+        // The first of the largest coordinates, found without a branch.
         const float x = __builtin_fabsf(ray.direction[0]), y = __builtin_fabsf(ray.direction[1]),
                     z = __builtin_fabsf(ray.direction[2]);
-        kz = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
-        kx = kz == 2 ? 0 : kz + 1;
-        ky = kx == 2 ? 0 : kx + 1;
+        constexpr std::uint8_t kNext[] = {1, 2, 0};
+        kz = static_cast<std::uint32_t>(y > x);
+        kz = (z > x) & (z > y) ? 2 : kz;
+        kx = kNext[kz];
+        ky = kNext[kx];
         ox = ray.origin[kx];
         oy = ray.origin[ky];
         oz = ray.origin[kz];

@@ -43,7 +43,8 @@ struct BlockHit {
     typename S::Float t, v, w, determinant;
 };
 
-/// A corner moved to the ray's origin and sheared so that the ray is the z axis; z is left unscaled.
+/// A corner moved to the ray's origin and sheared so that the ray is the z axis; z is left
+/// unscaled.
 template <class S>
 struct ShearedCorner {
     using Float = typename S::Float;

@@ -122,9 +122,8 @@ private:
     BOXWOOD_KERNEL int drop_hidden(const Slot& slot) {
         int size = slot.size;
         for (;;) {
-            const unsigned kept =
-                S::less_equal(S::load_unaligned(slot.distances + size - N),
-                              S::broadcast(slot.closest.t));
+            const unsigned kept = S::less_equal(S::load_unaligned(slot.distances + size - N),
+                                                S::broadcast(slot.closest.t));
             if (__builtin_expect(kept != 0, 1)) return size - N + 32 - __builtin_clz(kept);
             size -= N;
         }
@@ -144,8 +143,7 @@ private:
         }
         const unsigned hit = S::less_equal(enter, leave);
         S::store_unaligned(slot.references + size, S::compress(hit, child));
-        if constexpr (!kAnyHit)
-            S::store_unaligned(slot.distances + size, S::compress(hit, enter));
+        if constexpr (!kAnyHit) S::store_unaligned(slot.distances + size, S::compress(hit, enter));
         size += __builtin_popcount(hit) - 1;
         slot.size = size;
         return slot.references[size];
