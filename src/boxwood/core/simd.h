@@ -11,7 +11,8 @@
 //   -0
 //                                 either, here and below
 //   multiply_add(a, b, c)         a b + c, rounded once or twice as the machine likes
-//   fused(a, b, c)                a b + c rounded once, the same on every machine
+//   fused(a, b, c)                a b + c rounded once, the same on every machine; emulated unless
+//                                 kFastFused
 //   less, less_equal, equal       masks: bit i is lane i
 //   compress(mask, x)             the lanes of the mask moved together to the front
 //   order(packed, octant)         reads a permutation from a node, see query/wide_node.h

@@ -12,6 +12,7 @@ namespace boxwood {
 
 struct Avx2 {
     static constexpr int kWidth = 8;
+    static constexpr bool kFastFused = true;
     using Float = __m256;
     using Quad = Sse4;
     using Int = __m256i;

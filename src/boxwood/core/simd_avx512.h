@@ -11,6 +11,7 @@ namespace boxwood {
 
 struct Avx512 {
     static constexpr int kWidth = 16;
+    static constexpr bool kFastFused = true;
     using Float = __m512;
     using Quad = Sse4;
     using Int = __m512i;

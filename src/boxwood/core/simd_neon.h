@@ -11,6 +11,7 @@ namespace boxwood {
 
 struct Neon {
     static constexpr int kWidth = 4;
+    static constexpr bool kFastFused = true;
     using Float = float32x4_t;
     using Int = uint32x4_t;
     using Quad = Neon;

@@ -12,6 +12,7 @@ namespace boxwood {
 
 struct Scalar {
     static constexpr int kWidth = 4;
+    static constexpr bool kFastFused = false;
 
     template <class T>
     struct alignas(16) Lanes {

@@ -12,6 +12,7 @@ namespace boxwood {
 
 struct Sse4 {
     static constexpr int kWidth = 4;
+    static constexpr bool kFastFused = false;
     using Float = __m128;
     using Int = __m128i;
     using Quad = Sse4;

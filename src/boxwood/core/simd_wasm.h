@@ -12,6 +12,7 @@ namespace boxwood {
 
 struct Wasm {
     static constexpr int kWidth = 4;
+    static constexpr bool kFastFused = false;
     /// Its operators are those of floats; v128_t has those of integers.
     using Float = float __attribute__((vector_size(16)));
     using Int = v128_t;

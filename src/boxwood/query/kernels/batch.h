@@ -10,6 +10,11 @@
 
 namespace boxwood {
 
+/// Where a group has more pairs of triangles and packets to test, its triangles are smaller than
+/// the distance of its rays. If its neighbours are like it, more and more of them go ray by ray.
+constexpr std::size_t kMostPairsPerRay = 5;
+constexpr std::size_t kMostPasses = 15;
+
 /// Rays that have no more in common than that they are asked for together.
 template <class S>
 BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
@@ -34,11 +39,18 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
                   std::size_t count) noexcept {
     constexpr std::size_t kGroup = Frustum<S>::kRays;
     Frustum<S> frustum(tree);
-    std::size_t begin = 0;  // of the rays that were passed over
+    std::size_t begin = 0;   // of the rays that were passed over
+    std::size_t passes = 0;  // groups to pass over before the next try ...
+    std::size_t dense = 0;   // ... and after it, should it be dense
     for (std::size_t i = 0; i + kGroup <= count; i += kGroup) {
+        if (passes > 0) {
+            --passes;
+            continue;
+        }
         if (!share_origin(rays[i], rays[i + kGroup - 1]) || !frustum.load(rays + i)) continue;
         closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
-        frustum.run();
+        const bool is_dense = frustum.run() > kMostPairsPerRay * kGroup;
+        passes = dense = is_dense ? (dense < kMostPasses ? 2 * dense + 1 : dense) : 0;
         frustum.write(hits + i);
         begin = i + kGroup;
     }

@@ -53,18 +53,20 @@ public:
         return fits == kAllLanes && bound_packets();
     }
 
-    BOXWOOD_KERNEL void run() {
+    /// Returns how many pairs of a packet and a triangle had to be tested.
+    BOXWOOD_KERNEL std::size_t run() {
+        std::size_t pairs = 0;
         WideReference current = 0;
         unsigned packets = kAllPackets;
         int size = 0;
         for (;;) {
             if (is_leaf(current)) {
-                visit_block(tree_.template block<N>(current), packets);
+                pairs += visit_block(tree_.template block<N>(current), packets);
             } else {
                 size = visit_node(current, size);
             }
             do {
-                if (size == 0) return;
+                if (size == 0) return pairs;
                 const Entry& entry = stack_[--size];
                 current = entry.reference;
                 packets = entry.enter <= farthest_ ? packets_that_see(entry) : 0;
@@ -245,7 +247,7 @@ private:
         alignas(64) float nearest[N];  ///< depth of the triangle
     };
 
-    BOXWOOD_KERNEL void visit_block(const TriangleBlock<N>& block, unsigned packets) {
+    BOXWOOD_KERNEL std::size_t visit_block(const TriangleBlock<N>& block, unsigned packets) {
         Corners from;
         Float x[3], y[3], z[3];
         for (int i = 0; i < 3; ++i) {
@@ -264,9 +266,10 @@ private:
         unsigned changed = 0;
         for (int i = 0; i < pairs; ++i)
             changed |= visit_pair(block, from, edges, triangle_of[i], packet_of[i]);
-        if (changed == 0) return;
+        if (changed == 0) return static_cast<std::size_t>(pairs);
         for (; changed != 0; changed &= changed - 1) set_far(__builtin_ctz(changed));
         farthest_ = S::greatest(S::load(far_));
+        return static_cast<std::size_t>(pairs);
     }
 
     /// The corners' places from the origin, their depths z positive in front of it.
@@ -378,8 +381,8 @@ private:
                                     S::broadcast(from.z[i][j]), sx, sy);
         };
         const Float t = S::load(t_[packet]);
-        const BlockHit<S> hit = intersect<S>(corner(0), corner(1), corner(2), S::load(sz_[packet]),
-                                             S::broadcast(t_min_), t);
+        const BlockHit<S> hit = intersect<S, true>(corner(0), corner(1), corner(2),
+                                                   S::load(sz_[packet]), S::broadcast(t_min_), t);
         if (hit.mask == 0) return 0;
         const std::uint32_t triangle = block.triangle[j];
         unsigned closer = hit.mask;

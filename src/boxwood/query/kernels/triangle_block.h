@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Does a ray hit any of the N triangles of a block? The watertight test of core/ray_triangle.h in
 // float, N triangles at a time, with the same bits on every instruction set.
-// First the edge functions in plain arithmetic: rounding keeps the order of two products, so their
-// difference may come out as zero but never with the wrong sign. Who is outside by that is outside.
-// What is left, in few blocks anything, is decided with errors of at most 1.5 units in the last
-// place, hence with exact signs. Explained in docs/algorithms/ray_triangle.md.
+// Edge functions have an error of at most 1.5 units in the last place, hence exact signs. Where a
+// fused multiply-add has to be emulated, plain arithmetic comes first: rounding keeps the order of
+// two products, so their difference may come out as zero but never with the wrong sign, and who is
+// outside by that is outside. Explained in docs/algorithms/wide_tree.md.
 #pragma once
 
 #include "boxwood/query/kernels/ray_setup.h"
@@ -69,30 +69,35 @@ BOXWOOD_KERNEL typename S::Float difference_of_products(typename S::Float a, typ
     return S::fused(a, b, -cd) + S::fused(-c, d, cd);
 }
 
+/// Whether the origin is inside, by the signs of the edge functions.
+template <class S>
+BOXWOOD_KERNEL unsigned inside(typename S::Float u, typename S::Float v, typename S::Float w) {
+    const auto zero = S::broadcast(0);
+    return S::less_equal(zero, S::min(S::min(u, v), w)) |
+           S::less_equal(S::max(S::max(u, v), w), zero);
+}
+
 /// The test proper; in each lane a ray and a triangle. With kEarlyOut it branches where all miss.
-template <class S, bool kEarlyOut = true>
+template <class S, bool kEarlyOut = false>
 BOXWOOD_KERNEL BlockHit<S> intersect(const ShearedCorner<S>& a, const ShearedCorner<S>& b,
                                      const ShearedCorner<S>& c, typename S::Float sz,
                                      typename S::Float t_min, typename S::Float t_max) {
     using Float = typename S::Float;
-    const Float zero = S::broadcast(0);
     const Float cy_bx = c.y * b.x, ay_cx = a.y * c.x, by_ax = b.y * a.x;
-    Float u = c.x * b.y - cy_bx, v = a.x * c.y - ay_cx, w = b.x * a.y - by_ax;
-    const auto inside = [&] {
-        return S::less_equal(zero, S::min(S::min(u, v), w)) |
-               S::less_equal(S::max(S::max(u, v), w), zero);
-    };
     BlockHit<S> hit;
-    hit.mask = inside();
+    if constexpr (!S::kFastFused) {
+        hit.mask = inside<S>(c.x * b.y - cy_bx, a.x * c.y - ay_cx, b.x * a.y - by_ax);
+        if (hit.mask == 0) return hit;
+    }
+    const Float u = difference_of_products<S>(c.x, b.y, c.y, b.x, cy_bx);
+    const Float v = difference_of_products<S>(a.x, c.y, a.y, c.x, ay_cx);
+    const Float w = difference_of_products<S>(b.x, a.y, b.y, a.x, by_ax);
+    hit.mask = inside<S>(u, v, w);
     if (kEarlyOut && hit.mask == 0) return hit;
 
-    u = difference_of_products<S>(c.x, b.y, c.y, b.x, cy_bx);
-    v = difference_of_products<S>(a.x, c.y, a.y, c.x, ay_cx);
-    w = difference_of_products<S>(b.x, a.y, b.y, a.x, by_ax);
     const Float determinant = (u + v) + w;
     const Float least = S::broadcast(kLeastDeterminant);
-    hit.mask &= inside() & S::less_equal(least, S::max(determinant, -determinant));
-
+    hit.mask &= S::less_equal(least, S::max(determinant, -determinant));
     // The weights have one sign, so this is a mean of the corners' distances, not a cancellation.
     hit.t = ((u * (sz * a.z) + v * (sz * b.z)) + w * (sz * c.z)) / determinant;
     hit.mask &= S::less_equal(t_min, hit.t) & S::less_equal(hit.t, t_max);
@@ -103,12 +108,12 @@ BOXWOOD_KERNEL BlockHit<S> intersect(const ShearedCorner<S>& a, const ShearedCor
 }
 
 /// One ray and the triangles of a block.
-template <class S, bool kEarlyOut = true>
+template <class S>
 BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
                                      typename S::Float t_max) {
     const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
         c(block.corner[2], ray);
-    return intersect<S, kEarlyOut>(a, b, c, ray.sz, ray.t_min, t_max);
+    return intersect<S>(a, b, c, ray.sz, ray.t_min, t_max);
 }
 
 }  // namespace boxwood

@@ -152,7 +152,7 @@ private:
     BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
         const TriangleBlock<N>& block = tree_.template block<N>(slot.current);
         const BlockHit<S> hit =
-            intersect<S, false>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
+            intersect<S>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
         if constexpr (kAnyHit) {
             if (hit.mask != 0) {
                 slot.closest.triangle = 0;
