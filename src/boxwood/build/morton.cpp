@@ -18,6 +18,7 @@
 #include "boxwood/build/slots.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/tree/parents.h"
 
 namespace boxwood {
 
@@ -168,7 +169,9 @@ private:
 Tree build_morton(std::span<const Box3f> boxes, const MortonOptions& options) {
     if (options.largest_leaf < 1) throw InvalidInput("build_morton: expected leaves of at least 1");
     if (boxes.empty()) return {};
-    return MortonBuilder(boxes, options.largest_leaf).build();
+    Tree tree = MortonBuilder(boxes, options.largest_leaf).build();
+    add_parents(tree);
+    return tree;
 }
 
 }  // namespace boxwood

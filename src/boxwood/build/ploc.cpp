@@ -21,6 +21,7 @@
 #include "boxwood/build/unit_scale.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/tree/parents.h"
 
 namespace boxwood {
 
@@ -215,7 +216,9 @@ Tree build_ploc(std::span<const Box3f> boxes, const PlocOptions& options) {
     if (options.radius < 1 || options.radius > kMostRadius || options.largest_leaf < 1)
         throw InvalidInput("build_ploc: expected a radius of 1 to 32 and leaves of at least 1");
     if (boxes.empty()) return {};
-    return PlocBuilder(boxes, options).build();
+    Tree tree = PlocBuilder(boxes, options).build();
+    add_parents(tree);
+    return tree;
 }
 
 }  // namespace boxwood

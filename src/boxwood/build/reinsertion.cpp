@@ -19,6 +19,7 @@
 #include "boxwood/build/unit_scale.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/tree/parents.h"
 
 namespace boxwood {
 
@@ -181,9 +182,13 @@ void Optimizer::run() {
     }
     double cost = refit(0);
     most_depth_ = std::max(heights_[0], kMostDepth);
+    std::vector<Node> before;
     for (int round = 0; round < options_.rounds; ++round) {
+        before = nodes_;
         make(best_moves(candidates()));
         const double new_cost = refit(0);
+        // Each move gains by itself; together they may lose, if seldom.
+        if (new_cost > cost) nodes_ = before;
         if (!(cost - new_cost > options_.least_gain * cost)) break;
         cost = new_cost;
     }
@@ -310,6 +315,7 @@ void optimize_by_reinsertion(Tree& tree, const ReinsertionOptions& options) {
             "0 to 1");
     if (tree.nodes.size() < 5) return;
     Optimizer(tree, options).run();
+    add_parents(tree);
 }
 
 }  // namespace boxwood
