@@ -91,7 +91,8 @@ inline Box3f rounded_outward(const Box3d& box) {
     for (int k = 0; k < 3; ++k) {
         result.lo[k] = rounded_down(box.lo[k]);
         result.hi[k] = rounded_up(box.hi[k]);
-        is_finite &= std::isfinite(result.lo[k]) & std::isfinite(result.hi[k]);
+        is_finite &= std::isfinite(result.lo[k]);
+        is_finite &= std::isfinite(result.hi[k]);
     }
     return is_finite ? result : Box3f();
 }
