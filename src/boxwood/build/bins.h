@@ -34,10 +34,10 @@ struct Box4 {
 
 /// The box of a primitive, with its index in the idle coordinates: half of it in each, as numbers
 /// of usual size, since some machines are slow with denormal ones.
-struct Reference {
+struct BlockReference {
     Box4 box;
 
-    Reference(const Box3f& b, std::uint32_t primitive) {
+    BlockReference(const Box3f& b, std::uint32_t primitive) {
         box.lo = {b.lo[0], b.lo[1], b.lo[2], float_of(kOne | primitive >> 16)};
         box.hi = {b.hi[0], b.hi[1], b.hi[2], float_of(kOne | (primitive & 0xffff))};
     }

@@ -41,7 +41,7 @@ struct Range {
     Box4 centers = Box4::empty();
 
     std::uint32_t count() const { return end - begin; }
-    void add(const Reference& reference) {
+    void add(const BlockReference& reference) {
         bounds.extend(reference.box);
         centers.extend(reference.center());
     }
@@ -64,8 +64,8 @@ public:
     /// box_of(i) is the box of primitive i.
     template <class BoxOf>
     BlockSahBuilder(std::uint32_t count, const BoxOf& box_of, const BlockSahOptions& options)
-        : block_(options.block), memory_(count * sizeof(Reference)) {
-        references_ = reinterpret_cast<Reference*>(memory_.data());
+        : block_(options.block), memory_(count * sizeof(BlockReference)) {
+        references_ = reinterpret_cast<BlockReference*>(memory_.data());
         tree_.order.resize(count);
         make_references(count, box_of);
     }
@@ -125,7 +125,7 @@ private:
         std::uint32_t hidden = end;
         for (std::uint32_t i = begin; i < end; ++i) {
             const Box3f box = box_of(i);
-            references_[is_finite(box) ? piece.end++ : --hidden] = Reference(box, i);
+            references_[is_finite(box) ? piece.end++ : --hidden] = BlockReference(box, i);
         }
         // Apart, since reading a register's worth of what was just written in parts is slow.
         for (std::uint32_t i = begin; i < piece.end; ++i) piece.add(references_[i]);
@@ -207,7 +207,7 @@ private:
     void bin(std::uint32_t begin, std::uint32_t end, const Binning& binning, Bins& bins) const {
         // A copy of the binning stays in registers, whatever is written to.
         const auto add = [binning, references = references_](std::uint32_t i, Bins& to) {
-            const Reference& reference = references[i];
+            const BlockReference& reference = references[i];
             to.add(reference.box, binning.place(reference.center()).cast<int>());
         };
         std::uint32_t i = begin;
@@ -281,11 +281,11 @@ private:
             return binning.place(center)[split.axis] >= static_cast<float>(split.bin);
         };
         Box4 centers[2][2] = {{Box4::empty(), Box4::empty()}, {Box4::empty(), Box4::empty()}};
-        Reference* middle = references_ + range.begin;
-        Reference* end = references_ + range.end;
+        BlockReference* middle = references_ + range.begin;
+        BlockReference* end = references_ + range.end;
         int turn = 0;
-        for (Reference* r = middle; r != end; ++r) {
-            const Reference reference = *r;
+        for (BlockReference* r = middle; r != end; ++r) {
+            const BlockReference reference = *r;
             const Eigen::Array4f center = reference.center();
             const bool side = is_right(center);
             centers[turn][side].extend(center);
@@ -351,7 +351,7 @@ private:
 
     std::uint32_t block_;
     Arena memory_;
-    Reference* references_ = nullptr;
+    BlockReference* references_ = nullptr;
     Range all_;  ///< that something can hit
     float scale_ = 1;
     Tree tree_;
