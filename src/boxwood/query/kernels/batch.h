@@ -47,7 +47,9 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
             --passes;
             continue;
         }
-        if (!share_origin(rays[i], rays[i + kGroup - 1]) || !frustum.load(rays + i)) continue;
+        if (tree.bytes > Frustum<S>::kLargestTree || !share_origin(rays[i], rays[i + kGroup - 1]) ||
+            !frustum.load(rays + i))
+            continue;
         closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
         const bool is_dense = frustum.run() > kMostPairsPerRay * kGroup;
         passes = dense = is_dense ? (dense < kMostPasses ? 2 * dense + 1 : dense) : 0;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "boxwood/query/kernels/ray_setup.h"
+
+namespace boxwood {
+
+/// How far apart, of the spread of the group, the rays of a packet may be on average.
+constexpr float kMostPacketSpread = 0.6f;
+/// The axis of a group need not be that of each ray's largest coordinate, but almost.
+constexpr float kSteepestSlope = 1.5f;
+
+/// N packets of N rays from one point. With z the depth along one axis, a ray is the points
+/// (x, y) = z (slope_x, slope_y): what is a frustum in space is a rectangle in the plane of slopes.
+template <class S>
+struct FrustumRays {
+    static constexpr int N = S::kWidth;
+    static constexpr std::size_t kRays = std::size_t{N} * N;
+    static constexpr unsigned kAll = (1u << N) - 1;  ///< lanes, or packets
+    using Float = typename S::Float;
+
+    std::uint32_t kx, ky, kz;  ///< axes of the group
+    float origin[3], t_min;
+    float sign;                                      ///< of the directions along kz
+    float rounding;                                  ///< by which boxes are moved outward
+    float least_depth;                               ///< what is beyond that is beyond t_min
+    float lo_x, hi_x, lo_y, hi_y;                    ///< slopes of the group
+    alignas(64) float range_x[2][N], range_y[2][N];  ///< of each packet: the least, the greatest
+    // Of each ray of each packet.
+    alignas(64) float slope_x[N][N], slope_y[N][N];
+    alignas(64) float depth[N][N];  ///< along z, for each unit of t
+    alignas(64) float t_max[N][N];
+    alignas(64) float sx[N][N], sy[N][N], sz[N][N];  ///< for the triangle test, along its own axes
+    unsigned along_x[N], along_y[N];  ///< of each packet: rays that are longest along x, along y
+
+    /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart.
+    BOXWOOD_KERNEL bool load(const WideTreeView& tree, const Rayf* rays) {
+        const Rayf& first = rays[0];
+        if (!(first.t_min >= 0) || !is_traceable(first)) return false;
+        RaySetup setup;
+        setup.template set<typename S::Quad>(first, tree);
+        kx = setup.kx;
+        ky = setup.ky;
+        kz = setup.kz;
+        for (int k = 0; k < 3; ++k) origin[k] = first.origin[k];
+        t_min = setup.t_min;
+        // More than the bound for single rays: rays are followed here by their slopes, which are
+        // rounded.
+        rounding = 3 * setup.rounding;
+        sign = first.direction[kz] < 0 ? -1.0f : 1.0f;
+
+        unsigned fits = kAll;
+        for (int packet = 0; packet < N; ++packet)
+            fits &= load_packet(packet, rays + packet * N, first);
+        return fits == kAll && find_ranges();
+    }
+
+    /// What rays of a packet take that are longest along x, along y and along z.
+    BOXWOOD_KERNEL Float turned(int packet, Float by_x, Float by_y, Float by_z) const {
+        return S::select(along_x[packet], by_x, S::select(along_y[packet], by_y, by_z));
+    }
+
+private:
+    /// Returns which lanes hold rays that fit the first.
+    BOXWOOD_KERNEL unsigned load_packet(int packet, const Rayf* rays, const Rayf& first) {
+        Float record[8];
+        S::load_records(rays[0].origin, record);
+        alignas(64) float direction[3][N];
+        for (int k = 0; k < 3; ++k) S::store(direction[k], record[4 + k]);
+        const auto size = [](Float a) { return S::max(a, -a); };
+        const Float x = size(record[4]), y = size(record[5]), z = size(record[6]);
+        const Float longest = S::max(S::max(x, y), z);
+        const Float forward = S::load(direction[kz]) * S::broadcast(sign);
+        unsigned fits = S::equal(record[3], S::broadcast(t_min)) &
+                        S::less_equal(record[3], record[7]) &
+                        S::less_equal(S::broadcast(kShortestDirection), longest) &
+                        S::less_equal(longest, S::broadcast(kLongestDirection)) &
+                        S::less_equal(longest, forward * S::broadcast(kSteepestSlope));
+        for (int k = 0; k < 3; ++k) fits &= S::equal(record[k], S::broadcast(first.origin[k]));
+
+        const Float inverse = S::broadcast(1) / forward;
+        const Float x_slope = S::load(direction[kx]) * inverse;
+        const Float y_slope = S::load(direction[ky]) * inverse;
+        S::store(slope_x[packet], x_slope);
+        S::store(slope_y[packet], y_slope);
+        S::store(depth[packet], forward);
+        S::store(t_max[packet], record[7]);
+        // As RaySetup does.
+        const unsigned along_z = S::less(x, z) & S::less(y, z);
+        along_y[packet] = S::less(x, y) & ~along_z;
+        along_x[packet] = kAll & ~along_z & ~along_y[packet];
+        const Float shear_z = S::broadcast(1) / turned(packet, record[4], record[5], record[6]);
+        S::store(sx[packet], turned(packet, record[5], record[6], record[4]) * shear_z);
+        S::store(sy[packet], turned(packet, record[6], record[4], record[5]) * shear_z);
+        S::store(sz[packet], shear_z);
+        range_x[0][packet] = S::least(kAll, x_slope);
+        range_x[1][packet] = S::greatest(x_slope);
+        range_y[0][packet] = S::least(kAll, y_slope);
+        range_y[1][packet] = S::greatest(y_slope);
+        return fits;
+    }
+
+    /// Finds the rectangle around all slopes; false when the rays of the packets are no closer
+    /// together than those of the group.
+    BOXWOOD_KERNEL bool find_ranges() {
+        lo_x = S::least(kAll, S::load(range_x[0]));
+        hi_x = S::greatest(S::load(range_x[1]));
+        lo_y = S::least(kAll, S::load(range_y[0]));
+        hi_y = S::greatest(S::load(range_y[1]));
+        float spread = 0, deepest = 0;
+        for (int packet = 0; packet < N; ++packet) {
+            spread += (range_x[1][packet] - range_x[0][packet]) +
+                      (range_y[1][packet] - range_y[0][packet]);
+            const float most = S::greatest(S::load(depth[packet]));
+            if (most > deepest) deepest = most;
+        }
+        least_depth = t_min == 0 ? -__builtin_inff() : t_min * deepest * (1 + 0x1p-18f);
+        const float group_spread = (hi_x - lo_x) + (hi_y - lo_y);
+        return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
+    }
+};
+
+}  // namespace boxwood
