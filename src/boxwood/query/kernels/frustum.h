@@ -32,12 +32,19 @@ public:
         for (int packet = 0; packet < N; ++packet) {
             const Float t_max = S::load(rays_.t_max[packet]);
             S::store(t_[packet], t_max);
-            const Float nearest = S::broadcast(1) / (t_max * S::load(rays_.depth[packet]));
-            S::store(near_[packet], nearest * S::broadcast(1 - kDepthRounding));
-            S::store(surely_near_[packet], nearest * S::broadcast(1 + kDepthRounding));
             S::store_unaligned(triangle_[packet], S::broadcast_integer(Hitf::kNone));
             hit_[packet] = taken_[packet] = 0;
-            set_far(packet);
+            if (rays_.is_endless) {
+                S::store(near_[packet], S::broadcast(0));
+                S::store(surely_near_[packet], S::broadcast(0));
+                nearest_[packet] = 0;
+                far_[packet] = __builtin_inff();
+            } else {
+                const Float nearest = S::broadcast(1) / (t_max * S::load(rays_.depth[packet]));
+                S::store(near_[packet], nearest * S::broadcast(1 - kDepthRounding));
+                S::store(surely_near_[packet], nearest * S::broadcast(1 + kDepthRounding));
+                set_far(packet);
+            }
         }
         set_farthest();
         return true;
@@ -76,8 +83,6 @@ private:
 
     /// Of an inverse depth that is worked out from a t.
     static constexpr float kDepthRounding = 0x1p-20f;
-    /// So many triangles of a packet are tested one after the other, more of them side by side.
-    static constexpr int kFewTriangles = 3;
 
     /// A child to visit, and whose child it is.
     struct Entry {
@@ -107,20 +112,22 @@ private:
     /// Puts the children that the frustum of the group meets on the stack, the nearest on top.
     BOXWOOD_KERNEL int visit_node(WideReference reference, int size) {
         const WideNode<N>& node = tree_.template node<N>(reference);
-        const Float ox_lo = S::broadcast(rays_.origin[rays_.kx] + rays_.rounding),
-                    ox_hi = S::broadcast(rays_.origin[rays_.kx] - rays_.rounding);
-        const Float oy_lo = S::broadcast(rays_.origin[rays_.ky] + rays_.rounding),
-                    oy_hi = S::broadcast(rays_.origin[rays_.ky] - rays_.rounding);
-        const float* near_face = rays_.sign > 0 ? node.slabs[rays_.kz].lo : node.slabs[rays_.kz].hi;
-        const float* far_face = rays_.sign > 0 ? node.slabs[rays_.kz].hi : node.slabs[rays_.kz].lo;
-        const Float oz = S::broadcast(rays_.origin[rays_.kz]), sign = S::broadcast(rays_.sign);
+        const Float ox_lo = S::broadcast(rays_.origin[0] + rays_.rounding),
+                    ox_hi = S::broadcast(rays_.origin[0] - rays_.rounding);
+        const Float oy_lo = S::broadcast(rays_.origin[1] + rays_.rounding),
+                    oy_hi = S::broadcast(rays_.origin[1] - rays_.rounding);
+        const float* near_face =
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].lo : node.slabs[rays_.axis[2]].hi;
+        const float* far_face =
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].hi : node.slabs[rays_.axis[2]].lo;
+        const Float oz = S::broadcast(rays_.origin[2]), sign = S::broadcast(rays_.sign);
         const Float rounding = S::broadcast(rays_.rounding), zero = S::broadcast(0);
         const Float near = S::max((S::load(near_face) - oz) * sign - rounding, zero);
         const Float far = (S::load(far_face) - oz) * sign + rounding;
-        const Float lo_x = S::load(node.slabs[rays_.kx].lo) - ox_lo;
-        const Float hi_x = S::load(node.slabs[rays_.kx].hi) - ox_hi;
-        const Float lo_y = S::load(node.slabs[rays_.ky].lo) - oy_lo;
-        const Float hi_y = S::load(node.slabs[rays_.ky].hi) - oy_hi;
+        const Float lo_x = S::load(node.slabs[rays_.axis[0]].lo) - ox_lo;
+        const Float hi_x = S::load(node.slabs[rays_.axis[0]].hi) - ox_hi;
+        const Float lo_y = S::load(node.slabs[rays_.axis[1]].lo) - oy_lo;
+        const Float hi_y = S::load(node.slabs[rays_.axis[1]].hi) - oy_hi;
         unsigned hit = S::less_equal(near, S::min(far, S::broadcast(farthest_))) &
                        S::less_equal(lo_x, most(S::broadcast(rays_.hi_x), near, far)) &
                        S::less_equal(least(S::broadcast(rays_.lo_x), near, far), hi_x) &
@@ -147,18 +154,17 @@ private:
         const WideNode<N>& node = tree_.template node<N>(entry.parent);
         const std::uint32_t i = entry.slot;
         const float far_face =
-            rays_.sign > 0 ? node.slabs[rays_.kz].hi[i] : node.slabs[rays_.kz].lo[i];
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].hi[i] : node.slabs[rays_.axis[2]].lo[i];
         const Float near = S::broadcast(entry.enter);
-        const Float far =
-            S::broadcast((far_face - rays_.origin[rays_.kz]) * rays_.sign + rays_.rounding);
+        const Float far = S::broadcast((far_face - rays_.origin[2]) * rays_.sign + rays_.rounding);
         const Float lo_x =
-            S::broadcast(node.slabs[rays_.kx].lo[i] - (rays_.origin[rays_.kx] + rays_.rounding));
+            S::broadcast(node.slabs[rays_.axis[0]].lo[i] - (rays_.origin[0] + rays_.rounding));
         const Float hi_x =
-            S::broadcast(node.slabs[rays_.kx].hi[i] - (rays_.origin[rays_.kx] - rays_.rounding));
+            S::broadcast(node.slabs[rays_.axis[0]].hi[i] - (rays_.origin[0] - rays_.rounding));
         const Float lo_y =
-            S::broadcast(node.slabs[rays_.ky].lo[i] - (rays_.origin[rays_.ky] + rays_.rounding));
+            S::broadcast(node.slabs[rays_.axis[1]].lo[i] - (rays_.origin[1] + rays_.rounding));
         const Float hi_y =
-            S::broadcast(node.slabs[rays_.ky].hi[i] - (rays_.origin[rays_.ky] - rays_.rounding));
+            S::broadcast(node.slabs[rays_.axis[1]].hi[i] - (rays_.origin[1] - rays_.rounding));
         return S::less_equal(near, S::load(far_)) &
                S::less_equal(lo_x, most(S::load(rays_.range_x[1]), near, far)) &
                S::less_equal(least(S::load(rays_.range_x[0]), near, far), hi_x) &
@@ -206,7 +212,7 @@ private:
         return static_cast<std::size_t>(view_.pairs);
     }
 
-    /// A triangle in each lane, its corners along x, y and z.
+    /// A triangle in each lane, its corners along the axes of the group.
     struct Triangles {
         Float corner[3][3];
         alignas(64) std::uint32_t index[N];
@@ -217,7 +223,7 @@ private:
         Triangles result;
         for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k)
-                result.corner[i][k] = S::broadcast(block.corner[i][k][code % N]);
+                result.corner[i][k] = S::broadcast(block.corner[i][rays_.axis[k]][code % N]);
         }
         S::store_unaligned(result.index, S::broadcast_integer(block.triangle[code % N]));
         return result;
@@ -235,7 +241,7 @@ private:
             result.index[lane] = block.triangle[codes[lane] % N];
         }
         for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < 3; ++k) result.corner[i][k] = S::load(corners[i][k]);
+            for (int k = 0; k < 3; ++k) result.corner[i][k] = S::load(corners[i][rays_.axis[k]]);
         }
         return result;
     }
@@ -258,21 +264,17 @@ private:
 
     /// The same for the triangles that the rays surely hit.
     BOXWOOD_KERNEL void decide_taken(int packet) {
-        unsigned left = taken_[packet];
-        // Mostly they are a few, the same for many rays.
-        for (int turns = 0; turns < kFewTriangles; ++turns) {
-            if (left == 0) return;
-            const std::uint32_t code = code_[packet][__builtin_ctz(left)];
-            const unsigned rays =
-                left & S::equal(S::load(code_[packet]), S::broadcast_integer(code));
-            decide(packet, rays, one_triangle(code));
-            left &= ~rays;
+        const unsigned taken = taken_[packet];
+        const std::uint32_t code = code_[packet][__builtin_ctz(taken)];
+        const unsigned same = S::equal(S::load(code_[packet]), S::broadcast_integer(code));
+        if ((taken & ~same) == 0) {
+            decide(packet, taken, one_triangle(code));
+            return;
         }
-        if (left == 0) return;
         std::uint32_t codes[N];
         for (int lane = 0; lane < N; ++lane)
-            codes[lane] = code_[packet][left >> lane & 1 ? lane : __builtin_ctz(left)];
-        decide(packet, left, triangles(codes));
+            codes[lane] = taken >> lane & 1 ? code_[packet][lane] : code;
+        decide(packet, taken, triangles(codes));
     }
 
     /// The same for some of the rays. Keeps the hits that are closer than those there are, and
@@ -282,6 +284,9 @@ private:
         const auto sheared = [&](int i) {
             Float from[3];
             for (int k = 0; k < 3; ++k) from[k] = corner[i][k] - S::broadcast(rays_.origin[k]);
+            if (rays_.all_along_z[packet])
+                return ShearedCorner<S>(from[0], from[1], from[2], S::load(rays_.sx[packet]),
+                                        S::load(rays_.sy[packet]));
             return ShearedCorner<S>(rays_.turned(packet, from[1], from[2], from[0]),
                                     rays_.turned(packet, from[2], from[0], from[1]),
                                     rays_.turned(packet, from[0], from[1], from[2]),
@@ -305,7 +310,7 @@ private:
         keep(determinant_[packet], hit.determinant);
         for (int k = 0; k < 3; ++k) {
             const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
-            keep(normal_[k][packet],
+            keep(normal_[rays_.axis[k]][packet],
                  (corner[1][i] - corner[0][i]) * (corner[2][j] - corner[0][j]) -
                      (corner[1][j] - corner[0][j]) * (corner[2][i] - corner[0][i]));
         }

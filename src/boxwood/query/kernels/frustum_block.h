@@ -40,9 +40,9 @@ struct BlockInView {
                              unsigned packets, const float* nearest, float group_nearest) {
         Float px[3], py[3], pz[3];
         for (int i = 0; i < 3; ++i) {
-            px[i] = S::load(block.corner[i][rays.kx]) - S::broadcast(rays.origin[rays.kx]);
-            py[i] = S::load(block.corner[i][rays.ky]) - S::broadcast(rays.origin[rays.ky]);
-            pz[i] = (S::load(block.corner[i][rays.kz]) - S::broadcast(rays.origin[rays.kz])) *
+            px[i] = S::load(block.corner[i][rays.axis[0]]) - S::broadcast(rays.origin[0]);
+            py[i] = S::load(block.corner[i][rays.axis[1]]) - S::broadcast(rays.origin[1]);
+            pz[i] = (S::load(block.corner[i][rays.axis[2]]) - S::broadcast(rays.origin[2])) *
                     S::broadcast(rays.sign);
         }
         // Twice the edge function of the corners p, q is e . (sx, sy, 1) with e = (q - p) x (q +
