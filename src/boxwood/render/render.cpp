@@ -21,6 +21,7 @@ class Renderer {
 public:
     Renderer(const World& world, const Surfaces& surfaces, const RenderOptions& options)
         : camera_(world.camera),
+          film_(camera_.film(options.width, options.height)),
           options_(options),
           integrator_(make_integrator(options.integrator, world, surfaces, options.bounces)),
           image_(options.width, options.height, Color::Zero()) {
@@ -55,7 +56,7 @@ private:
         std::vector<Color> sums(pixels.size(), Color::Zero());
         for (int i = 0; i < samples_; ++i) {
             for (std::size_t k = 0; k < pixels.size(); ++k)
-                rays[k] = camera_.ray(sample(pixels[k], i), options_.width, options_.height);
+                rays[k] = camera_.ray(sample(pixels[k], i), film_);
             const std::vector<Color> colors = integrator_->radiances(rays);
             for (std::size_t k = 0; k < pixels.size(); ++k) sums[k] += colors[k];
         }
@@ -73,6 +74,7 @@ private:
     }
 
     const Camera& camera_;
+    const Film film_;
     const RenderOptions& options_;
     std::unique_ptr<Integrator> integrator_;
     ColorImage image_;
