@@ -118,6 +118,7 @@ std::vector<GrowthScore> measure(const BenchMesh& mesh, const GrowthOptions& opt
     measure_builds(mesh, options.passes, entries);
     measure_rays(sets, options.passes, entries);
     std::vector<GrowthScore> scores;
+    scores.reserve(entries.size());
     for (Entry& entry : entries) scores.push_back(std::move(entry.score));
     return scores;
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "boxwood/core/error.h"
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/closest_hit.h"
+#include "boxwood/query/hit_places.h"
 
 namespace boxwood {
 
@@ -16,11 +16,6 @@ namespace {
 
 /// Rays between two looks at whether to go on: few, as by brute force each may take long.
 constexpr std::size_t kPiece = 256;
-
-void check_sizes(std::size_t rays, std::size_t hits) {
-    if (rays != hits)
-        throw InvalidInput("closest_hits, any_hits: expected as many places for hits as rays");
-}
 
 /// The ray as a mesh of the scene sees it.
 Ray ray_in_mesh(Ray ray, std::uint32_t mesh) {
@@ -117,7 +112,7 @@ bool Scene::any_hit(const Ray& ray) const noexcept {
 
 void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
                          const BatchOptions& options) const {
-    check_sizes(rays.size(), hits.size());
+    check_hit_places(rays.size(), hits.size());
     for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
     });
@@ -125,7 +120,7 @@ void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
 
 void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
                      const BatchOptions& options) const {
-    check_sizes(rays.size(), hits.size());
+    check_hit_places(rays.size(), hits.size());
     for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(rays[i]);
     });
