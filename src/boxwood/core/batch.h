@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <utility>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
