@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/wide_node.h"
+#include "boxwood/query/write_block.h"
 #include "boxwood/tree/bound_depth.h"
 
 namespace boxwood {
@@ -261,14 +261,29 @@ private:
         }
         write_boxes(index, *node);
         write_order(index, *node);
+        emit_blocks(index, *node);
         for_each_child(index, [&](std::size_t i) {
             const std::uint32_t child = children(index)[i];
-            if (plans_[child].is_leaf) {
-                emit_block(child, node->child[i]);
-            } else {
-                emit(child, node->child[i]);
-            }
+            if (!plans_[child].is_leaf) emit(child, node->child[i]);
         });
+    }
+
+    void emit_blocks(std::uint32_t index, const WideNode<N>& node) const {
+        std::array<BlockTriangles<N>, N> blocks;
+        std::array<WideReference, N> places;
+        int count = 0;
+        for (std::size_t i = 0; i < children(index).size(); ++i) {
+            if (!is_leaf(node.child[i])) continue;
+            gather(children(index)[i], blocks[count]);
+            blocks[count].fetch_faces(mesh_);
+            places[count++] = node.child[i];
+        }
+        for (int i = 0; i < count; ++i) {
+            if (i + 1 < count) blocks[i + 1].fetch_vertices(mesh_);
+            blocks[i].sort();
+            write_block(mesh_, scale_, blocks[i],
+                        *new (memory_ + byte_offset(places[i])) TriangleBlock<N>);
+        }
     }
 
     void write_boxes(std::uint32_t index, WideNode<N>& node) const {
@@ -307,52 +322,16 @@ private:
         }
     }
 
-    void emit_block(std::uint32_t index, WideReference place) const {
-        std::array<std::uint32_t, N> triangles;
-        int count = 0;
-        gather(index, triangles, count);
-
-        constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-        auto* block = new (memory_ + byte_offset(place)) TriangleBlock<N>;
-        std::fill_n(&block->corner[0][0][0], 9 * N, kNaN);
-        std::fill_n(block->triangle, N, std::numeric_limits<std::uint32_t>::max());
-        for (int i = 0; i < count; ++i) {
-            if (!is_in_float_range(triangles[i])) continue;
-            block->triangle[i] = triangles[i];
-            for (int corner = 0; corner < 3; ++corner) {
-                const Vec3d& p = mesh_.corner(triangles[i], corner);
-                for (int k = 0; k < 3; ++k)
-                    block->corner[corner][k][i] = static_cast<float>(scale_ * p[k]);
-            }
-        }
-    }
-
-    /// The triangles below, each once, by their index.
-    void gather(std::uint32_t index, std::array<std::uint32_t, N>& triangles, int& count) const {
+    /// The triangles below, as they come.
+    void gather(std::uint32_t index, BlockTriangles<N>& triangles) const {
         const Node& node = tree_.nodes[index];
-        if (!node.is_leaf()) {
-            gather(node.left(), triangles, count);
-            gather(node.right(), triangles, count);
-            return;
+        if (node.is_leaf()) {
+            for (const std::uint32_t triangle : tree_.primitives(node))
+                triangles.index[triangles.count++] = triangle;
+        } else {
+            gather(node.left(), triangles);
+            gather(node.right(), triangles);
         }
-        for (const std::uint32_t triangle : tree_.primitives(node)) {
-            int place = count;
-            while (place > 0 && triangles[place - 1] > triangle) --place;
-            if (place > 0 && triangles[place - 1] == triangle) continue;
-            std::copy_backward(triangles.begin() + place, triangles.begin() + count,
-                               triangles.begin() + count + 1);
-            triangles[place] = triangle;
-            ++count;
-        }
-    }
-
-    bool is_in_float_range(std::uint32_t triangle) const {
-        bool inside = true;
-        for (int corner = 0; corner < 3; ++corner) {
-            const Vec3d& p = mesh_.corner(triangle, corner);
-            for (int k = 0; k < 3; ++k) inside &= std::abs(p[k]) <= FLT_MAX;
-        }
-        return inside;
     }
 
     MeshView mesh_;
