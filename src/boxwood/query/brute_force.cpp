@@ -3,6 +3,7 @@
 // for everything else. Explained in docs/algorithms/brute_force.md.
 #include "boxwood/query/brute_force.h"
 
+#include "boxwood/query/mesh_point.h"
 #include "boxwood/query/mesh_ray.h"
 
 namespace boxwood {
@@ -27,6 +28,18 @@ bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept {
         if (mesh_ray.intersect(i, ray.t_max)) return true;
     }
     return false;
+}
+
+std::optional<ClosestPoint> closest_point_brute_force(MeshView mesh, const Vec3d& point,
+                                                      double max_radius) noexcept {
+    if (!is_near_anything(point, max_radius)) return std::nullopt;
+    MeshPoint mesh_point(mesh, point, max_radius);
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty()) mesh_point.offer(i);
+    }
+    const ClosestPoint closest = mesh_point.closest();
+    if (!closest.is_found()) return std::nullopt;
+    return closest;
 }
 
 }  // namespace boxwood

@@ -5,6 +5,7 @@
 
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/closest_point.h"
 #include "boxwood/query/traverse.h"
 
 namespace boxwood {
@@ -16,5 +17,10 @@ std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
 
 /// The answer of any_hit(), by testing triangles until one is hit. O(n).
 bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept;
+
+/// The answer of closest_point(), by measuring the distance to every triangle. O(n).
+std::optional<ClosestPoint> closest_point_brute_force(
+    MeshView mesh, const Vec3d& point,
+    double max_radius = std::numeric_limits<double>::infinity()) noexcept;
 
 }  // namespace boxwood
