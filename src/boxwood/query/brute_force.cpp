@@ -5,6 +5,7 @@
 
 #include "boxwood/query/mesh_point.h"
 #include "boxwood/query/mesh_ray.h"
+#include "boxwood/query/solid_angle.h"
 
 namespace boxwood {
 
@@ -40,6 +41,16 @@ std::optional<ClosestPoint> closest_point_brute_force(MeshView mesh, const Vec3d
     const ClosestPoint closest = mesh_point.closest();
     if (!closest.is_found()) return std::nullopt;
     return closest;
+}
+
+double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept {
+    if (!point.allFinite()) return 0;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty())
+            sum += solid_angle(point, mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2));
+    }
+    return sum;
 }
 
 }  // namespace boxwood

@@ -23,4 +23,8 @@ std::optional<ClosestPoint> closest_point_brute_force(
     MeshView mesh, const Vec3d& point,
     double max_radius = std::numeric_limits<double>::infinity()) noexcept;
 
+/// The answer of winding_number() but for its errors, by summing up the solid angles of all
+/// triangles. O(n).
+double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept;
+
 }  // namespace boxwood

@@ -18,18 +18,16 @@
 
 namespace boxwood {
 
-namespace {
-
-/// Precondition: is_near_anything(point, max_radius). Some triangle of the tree is within known.
-ClosestPoint closest_within(MeshView mesh, const WideTree& tree, const Vec3d& point,
-                            double max_radius, double known) noexcept {
+ClosestPoint closest_near(MeshView mesh, const WideTree& tree, const Vec3d& point,
+                          double max_radius, const ClosestPoint& other) noexcept {
+    if (tree.is_empty() || !is_near_anything(point, max_radius)) return {};
     const double scale = tree.scale();
     const Vec3d near = scale * point;
     const Box3f& box = tree.bounds();
     const double largest = scale * box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).maxCoeff();
     const double reach = largest + near.lpNorm<Eigen::Infinity>();
     // From there float can't tell any two triangles apart.
-    constexpr double kFarthest = 0x1p57;
+    constexpr double kFarthest = 0x1p57, kFarthestQuery = 0x1p60;
     if (reach > kFarthest)
         return closest_point_brute_force(mesh, point, max_radius).value_or(ClosestPoint{});
 
@@ -38,10 +36,12 @@ ClosestPoint closest_within(MeshView mesh, const WideTree& tree, const Vec3d& po
     for (int k = 0; k < 3; ++k) query.point[k] = static_cast<float>(near[k]);
     query.margin = rounded_up(0x1p-21 * reach + 0x1p-61);
     query.reach = rounded_up(reach);
-    query.farthest = rounded_up(std::min(scale * std::min(max_radius, known), 0x1p60));
+    double farthest = max_radius;
+    if (other.is_found()) farthest = std::min(farthest, (point - other.point).norm());
+    query.farthest = rounded_up(std::min(scale * farthest, kFarthestQuery));
     auto decide = [&](const std::uint32_t* triangles, unsigned mask) {
         for (; mask != 0; mask &= mask - 1) mesh_point.offer(triangles[__builtin_ctz(mask)]);
-        return rounded_up(std::min(scale * mesh_point.farthest(), 0x1p60));
+        return rounded_up(std::min(scale * mesh_point.farthest(), kFarthestQuery));
     };
     const CandidateVisitor visitor = {
         .context = &decide,
@@ -52,13 +52,9 @@ ClosestPoint closest_within(MeshView mesh, const WideTree& tree, const Vec3d& po
     return mesh_point.closest();
 }
 
-}  // namespace
-
 std::optional<ClosestPoint> closest_point(MeshView mesh, const WideTree& tree, const Vec3d& point,
                                           double max_radius) noexcept {
-    if (tree.is_empty() || !is_near_anything(point, max_radius)) return std::nullopt;
-    const ClosestPoint closest =
-        closest_within(mesh, tree, point, max_radius, std::numeric_limits<double>::infinity());
+    const ClosestPoint closest = closest_near(mesh, tree, point, max_radius, {});
     if (!closest.is_found()) return std::nullopt;
     return closest;
 }
@@ -68,12 +64,8 @@ void closest_points(MeshView mesh, const WideTree& tree, std::span<const Vec3d> 
     if (points.size() != results.size())
         throw InvalidInput("closest_points: expected as many places for results as points");
     for_each_along_curve(points, [&](std::size_t i, std::size_t before) {
-        results[i] = {};
-        if (tree.is_empty() || !is_near_anything(points[i], max_radius)) return;
-        double known = std::numeric_limits<double>::infinity();
-        if (before != kNoPoint && results[before].is_found())
-            known = (points[i] - results[before].point).norm();
-        results[i] = closest_within(mesh, tree, points[i], max_radius, known);
+        results[i] = closest_near(mesh, tree, points[i], max_radius,
+                                  before == kNoPoint ? ClosestPoint{} : results[before]);
     });
 }
 

@@ -53,4 +53,9 @@ private:
     PlaceOnTriangle place_;
 };
 
+/// closest_point(), given one of another point, found or not: the nearer that point is, the sooner.
+/// It doesn't show in the answer.
+ClosestPoint closest_near(MeshView mesh, const WideTree& tree, const Vec3d& point,
+                          double max_radius, const ClosestPoint& other) noexcept;
+
 }  // namespace boxwood
