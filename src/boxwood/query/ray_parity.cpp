@@ -31,8 +31,6 @@ std::optional<bool> is_odd(MeshView mesh, const WideTree& tree, Ray ray) noexcep
 
 std::optional<bool> is_inside_by_parity(MeshView mesh, const WideTree& tree,
                                         const Vec3d& point) noexcept {
-    const Box3d box = {tree.bounds().lo.cast<double>(), tree.bounds().hi.cast<double>()};
-    if (tree.is_empty() || !box.contains({point, point})) return false;
     // Along no plane that people build in.
     static const Vec3d kDirections[] = {{0.6174, 0.3391, 0.7096},   {-0.2713, 0.8821, 0.3847},
                                         {0.4409, -0.1873, -0.8777}, {-0.7831, -0.5512, 0.2879},

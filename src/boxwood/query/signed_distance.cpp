@@ -38,6 +38,13 @@ MeshSign::MeshSign(MeshView mesh, SignMethod method, const WindingOptions& windi
 
 Side MeshSign::side_of(const WideTree& tree, const Vec3d& point,
                        const ClosestPoint& closest) const noexcept {
+    // From far away rounding decides which of two triangles is nearer, but nothing has to.
+    const auto outside = [&](const Box3f& box) {
+        return (point.array() < box.lo.cast<double>().array()).any() ||
+               (point.array() > box.hi.cast<double>().array()).any();
+    };
+    if (method_ != SignMethod::winding_number && is_trustworthy_ && outside(tree.bounds()))
+        return {.is_inside = false, .is_sure = true};
     switch (method_) {
         case SignMethod::pseudonormal:
             return by_normal(tree, point, closest);
