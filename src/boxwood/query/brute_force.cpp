@@ -43,6 +43,35 @@ std::optional<ClosestPoint> closest_point_brute_force(MeshView mesh, const Vec3d
     return closest;
 }
 
+std::vector<std::uint32_t> box_overlap_brute_force(MeshView mesh, const Box3d& box) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() && overlap(box, corners_of(mesh, i)))
+            found.push_back(i);
+    }
+    return found;
+}
+
+std::vector<std::uint32_t> sphere_overlap_brute_force(MeshView mesh, const Sphere3d& sphere) {
+    std::vector<std::uint32_t> found;
+    if (!is_near_anything(sphere.center, sphere.radius)) return found;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() &&
+            distance_to(mesh, i, sphere.center) <= sphere.radius)
+            found.push_back(i);
+    }
+    return found;
+}
+
+bool triangle_overlap_brute_force(MeshView mesh, const TriangleCorners& triangle) noexcept {
+    if (!can_overlap(triangle)) return false;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() && overlap(triangle, corners_of(mesh, i)))
+            return true;
+    }
+    return false;
+}
+
 double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept {
     if (!point.allFinite()) return 0;
     double sum = 0;

@@ -6,6 +6,7 @@
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/closest_point.h"
+#include "boxwood/query/overlaps.h"
 #include "boxwood/query/traverse.h"
 
 namespace boxwood {
@@ -26,5 +27,11 @@ std::optional<ClosestPoint> closest_point_brute_force(
 /// The answer of winding_number() but for its errors, by summing up the solid angles of all
 /// triangles. O(n).
 double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept;
+
+/// The answers of box_overlap(), sphere_overlap() and triangle_overlap(), by testing every
+/// triangle.
+std::vector<std::uint32_t> box_overlap_brute_force(MeshView mesh, const Box3d& box);
+std::vector<std::uint32_t> sphere_overlap_brute_force(MeshView mesh, const Sphere3d& sphere);
+bool triangle_overlap_brute_force(MeshView mesh, const TriangleCorners& triangle) noexcept;
 
 }  // namespace boxwood

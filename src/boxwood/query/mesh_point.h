@@ -53,6 +53,12 @@ private:
     PlaceOnTriangle place_;
 };
 
+inline double distance_to(MeshView mesh, std::uint32_t triangle, const Vec3d& point) {
+    return std::sqrt(nearest_place(point, mesh.corner(triangle, 0), mesh.corner(triangle, 1),
+                                   mesh.corner(triangle, 2))
+                         .squared_distance);
+}
+
 /// closest_point(), given one of another point, found or not: the nearer that point is, the sooner.
 /// It doesn't show in the answer.
 ClosestPoint closest_near(MeshView mesh, const WideTree& tree, const Vec3d& point,

@@ -7,6 +7,7 @@
 #include "boxwood/query/kernels/closest_hit.h"
 #include "boxwood/query/kernels/closest_point.h"
 #include "boxwood/query/kernels/frustum.h"
+#include "boxwood/query/kernels/overlaps.h"
 #include "boxwood/query/kernels/wavefront.h"
 
 namespace boxwood {

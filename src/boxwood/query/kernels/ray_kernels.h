@@ -24,6 +24,11 @@ struct PointQuery {
     float farthest;  ///< how near one is known to be, or must be; at most 2^60
 };
 
+/// A box that walk_overlaps() looks for triangles in, rounded outward.
+struct BoxQuery {
+    float lo[3], hi[3];
+};
+
 /// The kernels of one instruction set.
 struct RayKernels {
     void (*closest_hit)(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept;
@@ -38,6 +43,9 @@ struct RayKernels {
     /// query.farthest. A visit returns the distance of the nearest so far.
     void (*walk_near_triangles)(const WideTreeView& tree, const PointQuery& query,
                                 const CandidateVisitor& visitor) noexcept;
+    /// Visits each triangle that may touch the box, until a visit returns less than 0.
+    void (*walk_overlaps)(const WideTreeView& tree, const BoxQuery& box,
+                          const CandidateVisitor& visitor) noexcept;
 };
 
 // One of these a source file, compiled for that instruction set alone.
