@@ -42,8 +42,8 @@ std::optional<ClosestPoint> closest_point(
     double max_radius = std::numeric_limits<double>::infinity()) noexcept;
 
 /// The same for each point, in order; one that finds nothing gets a ClosestPoint{}. Runs on all
-/// cores, in an order of its own that doesn't show in the results, with memory for a few thousand
-/// points a thread. Throws InvalidInput when the sizes differ.
+/// cores, in an order of its own that doesn't show in the results, with a few megabytes of memory.
+/// Throws InvalidInput when the sizes differ.
 void closest_points(MeshView mesh, const WideTree& tree, std::span<const Vec3d> points,
                     std::span<ClosestPoint> results,
                     double max_radius = std::numeric_limits<double>::infinity());

@@ -220,6 +220,7 @@ void walk_near_triangles(const WideTreeView& tree, const PointQuery& query,
             size = compact<S>(references, distances, size, found.farthest_squared());
         if (size == 0) break;
         current = references[--size];
+        if (size > 0) prefetch<N>(tree, references[size - 1]);
     }
     found.finish();
 }
