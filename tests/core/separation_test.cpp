@@ -65,8 +65,8 @@ TEST(BoxTriangle, agrees_with_many_points_of_the_triangle) {
         };
         // A box a bit larger than the points' distance holds one of them if the triangle touches.
         touching += overlap(box(0.3), t);
-        if (some_point_is_inside(box(0.3), t)) ASSERT_TRUE(overlap(box(0.3), t)) << i;
-        if (overlap(box(0.3), t)) ASSERT_TRUE(some_point_is_inside(box(0.36), t)) << i;
+        ASSERT_LE(some_point_is_inside(box(0.3), t), overlap(box(0.3), t)) << i;
+        ASSERT_LE(overlap(box(0.3), t), some_point_is_inside(box(0.36), t)) << i;
     }
     EXPECT_GT(touching, 300);
     EXPECT_LT(touching, 2700);

@@ -85,7 +85,9 @@ TEST_P(OverlapLaws, a_sphere_touches_when_the_closest_point_is_near_enough) {
         const auto found = sphere_overlap_brute_force(mesh, sphere);
         const auto closest = closest_point_brute_force(mesh, sphere.center, sphere.radius);
         ASSERT_EQ(closest.has_value(), !found.empty()) << seed;
-        if (closest) ASSERT_TRUE(std::binary_search(found.begin(), found.end(), closest->triangle));
+        if (closest) {
+            ASSERT_TRUE(std::binary_search(found.begin(), found.end(), closest->triangle)) << seed;
+        }
     }
 }
 
