@@ -18,6 +18,13 @@ namespace {
 
 WideTree tree_over(const TriangleMesh& mesh) { return {mesh, build_tree(mesh)}; }
 
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+    const int offset = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const Vec3i& face : other.faces)
+        mesh.faces.emplace_back(face[0] + offset, face[1] + offset, face[2] + offset);
+}
+
 double signed_distance_at(const TriangleMesh& mesh, const Vec3d& point, SignMethod method,
                           bool is_undefined = false) {
     const MeshSign sign(mesh, method);
@@ -89,6 +96,21 @@ TEST(SignedDistance, a_triangle_of_zero_area_in_a_seam_does_no_harm) {
     }
 }
 
+TEST(Pseudonormals, there_are_none_where_triangles_lean_over_each_other) {
+    const TriangleMesh wedge = {.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {0, 1, -0.1}},
+                                .faces = {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 2}}};
+    const Pseudonormals of_wedge(wedge);
+    ASSERT_TRUE(of_wedge.is_consistent());
+    EXPECT_FALSE(of_wedge.at(0, TrianglePart::face));
+    EXPECT_FALSE(of_wedge.at(0, TrianglePart::edge_ab));
+    const TriangleMesh cube = subdivided_cube(1);
+    const Pseudonormals of_cube(cube);
+    for (std::uint32_t i = 0; i < cube.faces.size(); ++i) {
+        for (int part = 0; part < 7; ++part)
+            EXPECT_TRUE(of_cube.at(i, static_cast<TrianglePart>(part))) << i << " " << part;
+    }
+}
+
 TEST(SignedDistance, corners_of_one_place_are_one_whatever_their_index) {
     const TriangleMesh cube = subdivided_cube(2);
     TriangleMesh soup;
@@ -131,11 +153,7 @@ TEST(RayParity, tries_other_rays_where_one_meets_an_edge) {
 
 TEST(RayParity, counts_two_walls_in_one_place) {
     TriangleMesh two = subdivided_cube(2);
-    const TriangleMesh beside = moved(subdivided_cube(1), 1, {0, 0, 1});
-    const int offset = static_cast<int>(two.vertices.size());
-    two.vertices.insert(two.vertices.end(), beside.vertices.begin(), beside.vertices.end());
-    for (const Vec3i& face : beside.faces)
-        two.faces.emplace_back(face[0] + offset, face[1] + offset, face[2] + offset);
+    append(two, moved(subdivided_cube(1), 1, {0, 0, 1}));
     const WideTree tree = tree_over(two);
     Random random(3);
     for (int i = 0; i < 2000; ++i) {

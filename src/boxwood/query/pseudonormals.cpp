@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kPiece = 4096;
 constexpr std::uint32_t kNone = TriangleId::kNone;
 
+/// The cosine of a right angle, and what rounding may add to it.
+constexpr double kLean = -1e-9;
+
 /// Of unit length, or zero where the triangle is so thin that rounding could turn it over.
 Vec3d unit_normal(MeshView mesh, std::size_t face) {
     const Vec3d ab = mesh.corner(face, 1) - mesh.corner(face, 0);
@@ -48,6 +51,20 @@ Pseudonormals::Pseudonormals(MeshView mesh) : mesh_(mesh) {
     const std::vector<std::uint32_t> names = weld(mesh.vertices);
     find_neighbours(names);
     add_up_corners(names);
+    is_folded_.assign(mesh.faces.size(), 0);
+    if (!is_consistent_) return;
+    parallel_for(is_folded_.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            is_folded_[i] = leans_over_neighbour(static_cast<std::uint32_t>(i)) ? 1 : 0;
+    });
+}
+
+bool Pseudonormals::leans_over_neighbour(std::uint32_t triangle) const {
+    const Vec3d normal = unit_normal(mesh_, triangle);
+    bool leans = false;
+    for (const std::uint32_t neighbour : neighbours_[triangle])
+        leans |= neighbour != kNone && normal.dot(unit_normal(mesh_, neighbour)) < kLean;
+    return leans;
 }
 
 void Pseudonormals::find_neighbours(const std::vector<std::uint32_t>& names) {
@@ -101,6 +118,13 @@ void Pseudonormals::add_up_corners(const std::vector<std::uint32_t>& names) {
             if (unit_normal(mesh_, i).isZero(0)) lacks_one[name] = true;
         }
     }
+    for (std::size_t i = 0; i < mesh_.faces.size() && is_consistent_; ++i) {
+        const Vec3d normal = unit_normal(mesh_, i);
+        for (const int vertex : mesh_.faces[i]) {
+            const std::uint32_t name = names[vertex];
+            if (normal.dot(sums[name]) < kLean) lacks_one[name] = true;
+        }
+    }
     at_vertex_.resize(mesh_.vertices.size());
     for (std::size_t i = 0; i < at_vertex_.size(); ++i)
         at_vertex_[i] = lacks_one[names[i]] ? Vec3d(Vec3d::Zero()) : sums[names[i]];
@@ -114,11 +138,12 @@ std::optional<Vec3d> Pseudonormals::at(std::uint32_t triangle, TrianglePart part
     const int place = static_cast<int>(part);
     if (part >= TrianglePart::corner_a) return some(at_vertex_[mesh_.faces[triangle][place - 4]]);
     const Vec3d normal = unit_normal(mesh_, triangle);
+    if (is_folded_[triangle] != 0 && part == TrianglePart::face) return std::nullopt;
     if (part == TrianglePart::face || normal.isZero(0)) return some(normal);
     const std::uint32_t neighbour = neighbours_[triangle][static_cast<std::size_t>(place - 1)];
     if (neighbour == kNone) return normal;
     const Vec3d other = unit_normal(mesh_, neighbour);
-    if (other.isZero(0)) return std::nullopt;
+    if (other.isZero(0) || (is_consistent_ && normal.dot(other) < kLean)) return std::nullopt;
     return some(normal + other);
 }
 

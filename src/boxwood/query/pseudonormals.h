@@ -26,17 +26,21 @@ public:
     /// Whether each edge belongs to two triangles that run through it in opposite directions.
     bool is_consistent() const { return is_consistent_; }
 
-    /// Of any length. Nothing where a triangle takes part whose area is so small that it has none.
+    /// Of any length. Nothing where a triangle takes part whose area is so small that it has none,
+    /// nor, on a consistent mesh, where triangles lean over each other by more than a right angle:
+    /// a fold that simplification left may stick through the surface, with its inside out.
     std::optional<Vec3d> at(std::uint32_t triangle, TrianglePart part) const noexcept;
 
 private:
     void find_neighbours(const std::vector<std::uint32_t>& names);
     void add_up_corners(const std::vector<std::uint32_t>& names);
+    bool leans_over_neighbour(std::uint32_t triangle) const;
 
     MeshView mesh_;
     bool is_consistent_ = false;
     std::vector<std::array<std::uint32_t, 3>> neighbours_;  ///< across ab, bc and ca
     std::vector<Vec3d> at_vertex_;                          ///< zero where there is none
+    std::vector<std::uint8_t> is_folded_;  ///< 1 for a triangle that leans over a neighbour
 };
 
 }  // namespace boxwood

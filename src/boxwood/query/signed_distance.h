@@ -16,7 +16,8 @@ namespace boxwood {
 
 /// How the inside of a mesh is told from its outside.
 enum class SignMethod {
-    pseudonormal,    ///< by the normal at the closest point: the fastest, for closed meshes
+    pseudonormal,    ///< by the normal at the closest point: the fastest, for closed meshes that
+                     ///< don't intersect themselves
     winding_number,  ///< by how often the mesh winds around the point: bears holes
     ray_parity       ///< by counting what a ray crosses: whichever way triangles face
 };
