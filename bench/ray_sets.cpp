@@ -37,13 +37,6 @@ PlainRay plain(const Vec3d& from, const Vec3d& direction, float t_max = kInfinit
     return {o.x(), o.y(), o.z(), 0, d.x(), d.y(), d.z(), t_max};
 }
 
-Ray exact(const PlainRay& ray) {
-    return {.origin = {ray.ox, ray.oy, ray.oz},
-            .direction = {ray.dx, ray.dy, ray.dz},
-            .t_min = ray.t_min,
-            .t_max = ray.t_max};
-}
-
 /// Every second bit, closed up.
 int even_bits(int x) {
     int result = 0;
@@ -121,6 +114,13 @@ void find_truth(const Scene& scene, RaySet& set) {
 std::string_view name_of(RayKind kind) {
     constexpr std::string_view kNames[] = {"primary", "ao", "diffuse", "random"};
     return kNames[static_cast<int>(kind)];
+}
+
+Ray exact(const PlainRay& ray) {
+    return {.origin = {ray.ox, ray.oy, ray.oz},
+            .direction = {ray.dx, ray.dy, ray.dz},
+            .t_min = ray.t_min,
+            .t_max = ray.t_max};
 }
 
 std::vector<RaySet> make_ray_sets(const BenchMesh& mesh, const std::vector<RayKind>& kinds,

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boxwood/core/ray.h"
 #include "meshes.h"
 #include "peers/peer.h"
 
@@ -21,6 +22,9 @@ inline constexpr RayKind kRayKinds[] = {RayKind::primary, RayKind::ao, RayKind::
                                         RayKind::random};
 
 std::string_view name_of(RayKind kind);
+
+/// The same ray in double.
+Ray exact(const PlainRay& ray);
 
 struct RayOptions {
     std::size_t count = 524'288;  ///< of each kind, about

@@ -491,10 +491,16 @@ TEST_P(Simd, selects_and_stores_by_every_mask) {
         Floats place = b;
         simd.store_masked(mask, place, a);
         ASSERT_TRUE(all_are(place, width, chosen)) << mask;
-        Integers integers;
-        simd.store_masked_integer(mask, integers, 0x80000001u);
+        Integers integers, stored, pattern;
+        simd.broadcast_integer(0x80000001u, stored);
+        simd.store_masked_integers(mask, integers, stored);
         ASSERT_TRUE(all_are(integers, width, [&](int i) { return is_set(i) ? 0x80000001u : 0u; }))
             << mask;
+        ASSERT_EQ(simd.equal_integers(integers, stored), mask);
+        // As floats these are all NaN, or all zero where small numbers are flushed.
+        for (int i = 0; i < width; ++i) pattern[i] = is_set(i) ? 0x7fc00001u : 1u;
+        for (int i = 0; i < width; ++i) stored[i] = 0x7fc00001u;
+        ASSERT_EQ(simd.equal_integers(pattern, stored), mask);
     }
 }
 

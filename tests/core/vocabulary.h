@@ -40,7 +40,9 @@ struct Vocabulary {
     void (*store_records)(const float* fields, float* records);
     void (*select)(unsigned mask, const float* a, const float* b, float* out);
     void (*store_masked)(unsigned mask, float* out, const float* a);
-    void (*store_masked_integer)(unsigned mask, std::uint32_t* out, std::uint32_t a);
+    void (*store_masked_integers)(unsigned mask, std::uint32_t* out, const std::uint32_t* a);
+    void (*broadcast_integer)(std::uint32_t a, std::uint32_t* out);
+    unsigned (*equal_integers)(const std::uint32_t* a, const std::uint32_t* b);
     float (*greatest)(const float* a);
     float (*least)(unsigned mask, const float* a);
 };
@@ -123,8 +125,16 @@ constexpr Vocabulary vocabulary_of() {
                      float* out) { S::store(out, S::select(mask, S::load(a), S::load(b))); },
         .store_masked = [](unsigned mask, float* out,
                            const float* a) { S::store_masked(mask, out, S::load(a)); },
-        .store_masked_integer = [](unsigned mask, std::uint32_t* out,
-                                   std::uint32_t a) { S::store_masked(mask, out, a); },
+        .store_masked_integers =
+            [](unsigned mask, std::uint32_t* out, const std::uint32_t* a) {
+                S::store_masked(mask, out, S::load(a));
+            },
+        .broadcast_integer =
+            [](std::uint32_t a, std::uint32_t* out) {
+                S::store_unaligned(out, S::broadcast_integer(a));
+            },
+        .equal_integers = [](const std::uint32_t* a,
+                             const std::uint32_t* b) { return S::equal(S::load(a), S::load(b)); },
         .greatest = [](const float* a) { return S::greatest(S::load(a)); },
         .least = [](unsigned mask, const float* a) { return S::least(mask, S::load(a)); },
     };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
@@ -79,6 +80,27 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
         }
     }
     EXPECT_GT(hits, 2000u);
+}
+
+TEST(SceneLaws, batches_equal_brute_force_to_the_last_bit) {
+    const std::vector<TriangleMesh> meshes = some_meshes();
+    std::vector<Ray> rays;
+    std::vector<Hit> expected;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        rays.push_back(random_ray(meshes[Random(seed).index(meshes.size())], seed));
+        expected.push_back(closest_hit_of_all(meshes, rays.back()).value_or(Hit{}));
+    }
+    for (const NamedAccelerator& accelerator : all_accelerators()) {
+        const Scene scene(views(meshes), accelerator.options);
+        std::vector<Hit> found(rays.size());
+        const auto any = std::make_unique<bool[]>(rays.size());
+        scene.closest_hits(rays, found);
+        scene.any_hits(rays, {any.get(), rays.size()});
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            ASSERT_TRUE(are_identical(found[i], expected[i])) << accelerator.name << ", seed " << i;
+            ASSERT_EQ(any[i], expected[i].is_hit()) << accelerator.name << ", seed " << i;
+        }
+    }
 }
 
 TEST(SceneLaws, every_family_alone_and_twice_equals_brute_force) {

@@ -235,6 +235,29 @@ TEST(Heat, shows_more_where_there_is_more_to_do) {
     EXPECT_GT(heat->radiance(kAtMiddle).x(), heat->radiance({.origin = {100, 0, 1}}).x());
 }
 
+TEST(Integrators, what_a_ray_sees_does_not_depend_on_the_rays_beside_it) {
+    World world = lit_square();
+    world.materials.push_back({.diffuse = {0.5, 0.5, 0.5},
+                               .mirror = {0.3, 0.4, 0.5},
+                               .refraction = {0.6, 0.5, 0.4},
+                               .refraction_index = 1.5});
+    world.lights.push_back({{3, 3, 3}, {1, 2, 3}});
+    world.spheres = {{{0, 0, 1}, 0.5, 1}, {{1, 1, 0.5}, 0.5, 1}, {{-1, 1, 0.7}, 0.3, 0}};
+    const Surfaces surfaces(world, {.keep_trees = true});
+    std::vector<Ray> rays;
+    for (int i = 0; i < 400; ++i)
+        rays.push_back({.origin = {3, 0, 4},
+                        .direction = Vec3d(i % 20 - 9.7, i / 20 - 9.7, 0) * 0.5 - Vec3d(3, 0, 4)});
+    for (const auto& [name, kind] : integrators()) {
+        const auto integrator = make_integrator(kind, world, surfaces, 5);
+        const std::vector<Color> together = integrator->radiances(rays);
+        ASSERT_EQ(together.size(), rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            ASSERT_EQ(together[i], integrator->radiance(rays[i])) << name << " " << i;
+        EXPECT_TRUE(integrator->radiances({}).empty()) << name;
+    }
+}
+
 TEST(Integrators, have_names) {
     std::vector<std::string_view> names;
     for (const auto& [name, kind] : integrators()) names.push_back(name);

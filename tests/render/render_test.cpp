@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/parallel.h"
 #include "boxwood/render/sampler.h"
 
 namespace boxwood {
@@ -75,6 +76,23 @@ TEST(Render, progress_grows_to_1) {
     EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
     EXPECT_GT(parts.front(), 0);
     EXPECT_EQ(parts.back(), 1);
+}
+
+TEST(Render, can_be_cancelled) {
+    Cancellation cancellation;
+    RenderOptions options = {.progress = [&](double) { cancellation.request(); },
+                             .cancellation = &cancellation};
+    EXPECT_THROW(render(options), Cancelled);
+    options.cancellation = nullptr;
+    EXPECT_EQ(render(options).pixels, render({}).pixels);
+}
+
+TEST(Render, inside_a_parallel_loop_gives_the_same_picture) {
+    const ColorImage expected = render({.integrator = IntegratorKind::whitted});
+    parallel_for(4, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            EXPECT_EQ(render({.integrator = IntegratorKind::whitted}).pixels, expected.pixels);
+    });
 }
 
 TEST(Render, samples_count_only_where_they_differ) {

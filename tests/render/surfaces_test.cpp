@@ -126,6 +126,31 @@ TEST(Surfaces, many_spheres_are_found_as_if_each_were_tried) {
     }
 }
 
+TEST(Surfaces, batches_find_sphere_wall_and_nothing_in_order) {
+    const World world = sphere_before_wall();
+    const Surfaces surfaces(world);
+    Random random(5);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 1000; ++i)
+        rays.push_back({.origin = {random.number(-6, 6), random.number(-6, 6), 0}});
+    for (int i = 0; i < 100; ++i)
+        rays.push_back({.origin = {random.number(-1, 1), random.number(-1, 1), 0}});
+    const SurfaceHits hits = surfaces.closest_hits(rays);
+    const std::vector<bool> any = surfaces.any_hits(rays);
+    ASSERT_EQ(hits.size(), rays.size());
+    ASSERT_EQ(any.size(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double x = rays[i].origin.x(), y = rays[i].origin.y();
+        const double below_top = 1 - x * x - y * y;
+        const bool on_wall = std::abs(x) <= 5 && std::abs(y) <= 5;
+        ASSERT_EQ(hits[i].has_value(), below_top > 0 || on_wall) << i;
+        ASSERT_EQ(any[i], hits[i].has_value()) << i;
+        if (hits[i]) ASSERT_NEAR(hits[i]->t, below_top > 0 ? 5 - std::sqrt(below_top) : 8, 1e-9);
+    }
+    EXPECT_TRUE(surfaces.closest_hits({}).empty());
+    EXPECT_TRUE(surfaces.any_hits({}).empty());
+}
+
 TEST(Surfaces, empty_world_is_never_hit) {
     const World world;
     const Surfaces surfaces(world);

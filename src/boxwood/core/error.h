@@ -27,6 +27,12 @@ public:
     using Error::Error;
 };
 
+/// Work that was given up halfway, because its caller asked for that.
+class Cancelled : public Error {
+public:
+    using Error::Error;
+};
+
 /// The text at a bearable length.
 inline std::string shortened(const std::string& text) {
     constexpr std::size_t kLongest = 400;

@@ -32,13 +32,17 @@ struct Ray {
     Vec3d at(double t) const { return origin + t * direction; }
 };
 
-/// Where a ray meets a triangle (a, b, c): at ray.at(t), or (1 - u - v) a + u b + v c.
+/// Where a ray meets a triangle (a, b, c): at ray.at(t), or (1 - u - v) a + u b + v c. Where hits
+/// stand in arrays, a ray that hits nothing has Hit{}: t = infinity and triangle =
+/// TriangleId::kNone.
 struct Hit {
     double t = std::numeric_limits<double>::infinity();
     double u = 0;
     double v = 0;
     std::uint32_t triangle = TriangleId::kNone;
     std::uint32_t mesh = 0;
+
+    bool is_hit() const { return triangle != TriangleId::kNone; }
 };
 
 /// The order of hits along a ray. Equal distances go to the lower (mesh, triangle) index, so that

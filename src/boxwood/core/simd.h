@@ -6,7 +6,7 @@
 //
 //   Float, Int                    vectors of kWidth floats, of kWidth 32-bit integers
 //   load, store                   aligned to the size of the vector; store_unaligned: not
-//   broadcast(x)                  x in every lane
+//   broadcast(x)                  x in every lane; broadcast_integer(x): integers
 //   min(a, b), max(a, b)          lane by lane; b where a is NaN, one of them where b is; of 0 and
 //   -0
 //                                 either, here and below
@@ -14,7 +14,7 @@
 //   multiply_add(a, b, c)         a b + c, rounded once or twice as the machine likes
 //   fused(a, b, c)                a b + c rounded once, the same on every machine; emulated unless
 //                                 kFastFused
-//   less, less_equal, equal       masks: bit i is lane i
+//   less, less_equal, equal       masks: bit i is lane i; equal for integers as well
 //   compress(mask, x)             the lanes of the mask moved together to the front
 //   order(packed, octant)         reads a permutation from a node, see query/wide_node.h
 //   permute(x, order)             lane i becomes lane order[i]

@@ -31,6 +31,9 @@ struct Avx2 {
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), x);
     }
     static BOXWOOD_KERNEL Float broadcast(float x) { return _mm256_set1_ps(x); }
+    static BOXWOOD_KERNEL Int broadcast_integer(std::uint32_t x) {
+        return _mm256_set1_epi32(static_cast<int>(x));
+    }
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm256_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm256_max_ps(a, b); }
@@ -48,6 +51,9 @@ struct Avx2 {
     }
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) {
         return bits(_mm256_cmp_ps(a, b, _CMP_EQ_OQ));
+    }
+    static BOXWOOD_KERNEL unsigned equal(Int a, Int b) {
+        return bits(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b)));
     }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
@@ -84,8 +90,8 @@ struct Avx2 {
     static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
         store(p, select(mask, x, load(p)));
     }
-    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, Int x) {
+        store_unaligned(p, _mm256_blendv_epi8(load_unaligned(p), x, mask_of(mask)));
     }
 
     static BOXWOOD_KERNEL float greatest(Float x) { return -least((1u << kWidth) - 1, -x); }

@@ -28,6 +28,9 @@ struct Avx512 {
         _mm512_storeu_si512(p, x);
     }
     static BOXWOOD_KERNEL Float broadcast(float x) { return _mm512_set1_ps(x); }
+    static BOXWOOD_KERNEL Int broadcast_integer(std::uint32_t x) {
+        return _mm512_set1_epi32(static_cast<int>(x));
+    }
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm512_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm512_max_ps(a, b); }
@@ -46,6 +49,7 @@ struct Avx512 {
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) {
         return _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ);
     }
+    static BOXWOOD_KERNEL unsigned equal(Int a, Int b) { return _mm512_cmpeq_epi32_mask(a, b); }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
         return _mm512_maskz_compress_ps(static_cast<__mmask16>(mask), x);
@@ -88,9 +92,8 @@ struct Avx512 {
     static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
         _mm512_mask_store_ps(p, static_cast<__mmask16>(mask), x);
     }
-    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        _mm512_mask_store_epi32(p, static_cast<__mmask16>(mask),
-                                _mm512_set1_epi32(static_cast<int>(x)));
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, Int x) {
+        _mm512_mask_store_epi32(p, static_cast<__mmask16>(mask), x);
     }
 
     static BOXWOOD_KERNEL float greatest(Float x) { return _mm512_reduce_max_ps(x); }

@@ -24,6 +24,7 @@ struct Neon {
     static BOXWOOD_KERNEL void store_unaligned(float* p, Float x) { vst1q_f32(p, x); }
     static BOXWOOD_KERNEL void store_unaligned(std::uint32_t* p, Int x) { vst1q_u32(p, x); }
     static BOXWOOD_KERNEL Float broadcast(float x) { return vdupq_n_f32(x); }
+    static BOXWOOD_KERNEL Int broadcast_integer(std::uint32_t x) { return vdupq_n_u32(x); }
 
     // Those that prefer a number to NaN: vminq and vmaxq prefer NaN.
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return vminnmq_f32(a, b); }
@@ -46,6 +47,7 @@ struct Neon {
     static BOXWOOD_KERNEL unsigned less(Float a, Float b) { return bits(vcltq_f32(a, b)); }
     static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) { return bits(vcleq_f32(a, b)); }
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) { return bits(vceqq_f32(a, b)); }
+    static BOXWOOD_KERNEL unsigned equal(Int a, Int b) { return bits(vceqq_u32(a, b)); }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
         return permute(x, lanes_of(mask));
@@ -92,8 +94,8 @@ struct Neon {
     static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
         store(p, select(mask, x, load(p)));
     }
-    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, Int x) {
+        store_unaligned(p, vbslq_u32(vtstq_u32(vdupq_n_u32(mask), lane_bits()), x, load(p)));
     }
 
     static BOXWOOD_KERNEL float greatest(Float x) { return vmaxnmvq_f32(x); }

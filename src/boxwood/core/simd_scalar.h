@@ -59,6 +59,9 @@ struct Scalar {
     static Float broadcast(float x) {
         return Float::map([&](int) { return x; });
     }
+    static Int broadcast_integer(std::uint32_t x) {
+        return Int::map([&](int) { return x; });
+    }
 
     static Float min(const Float& a, const Float& b) {
         return Float::map([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
@@ -102,6 +105,9 @@ struct Scalar {
         return bits([&](int i) { return a.lane[i] <= b.lane[i]; });
     }
     static unsigned equal(const Float& a, const Float& b) {
+        return bits([&](int i) { return a.lane[i] == b.lane[i]; });
+    }
+    static unsigned equal(const Int& a, const Int& b) {
         return bits([&](int i) { return a.lane[i] == b.lane[i]; });
     }
 
@@ -148,8 +154,8 @@ struct Scalar {
     static void store_masked(unsigned mask, float* p, const Float& x) {
         for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x.lane[__builtin_ctz(mask)];
     }
-    static void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    static void store_masked(unsigned mask, std::uint32_t* p, const Int& x) {
+        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x.lane[__builtin_ctz(mask)];
     }
 
     static float greatest(const Float& x) {

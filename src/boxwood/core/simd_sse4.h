@@ -31,6 +31,9 @@ struct Sse4 {
         _mm_storeu_si128(reinterpret_cast<__m128i*>(p), x);
     }
     static BOXWOOD_KERNEL Float broadcast(float x) { return _mm_set1_ps(x); }
+    static BOXWOOD_KERNEL Int broadcast_integer(std::uint32_t x) {
+        return _mm_set1_epi32(static_cast<int>(x));
+    }
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm_max_ps(a, b); }
@@ -57,6 +60,9 @@ struct Sse4 {
     static BOXWOOD_KERNEL unsigned less(Float a, Float b) { return bits(_mm_cmplt_ps(a, b)); }
     static BOXWOOD_KERNEL unsigned less_equal(Float a, Float b) { return bits(_mm_cmple_ps(a, b)); }
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) { return bits(_mm_cmpeq_ps(a, b)); }
+    static BOXWOOD_KERNEL unsigned equal(Int a, Int b) {
+        return bits(_mm_castsi128_ps(_mm_cmpeq_epi32(a, b)));
+    }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
         return permute(x, lanes_of(mask));
@@ -102,8 +108,8 @@ struct Sse4 {
     static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
         store(p, select(mask, x, load(p)));
     }
-    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, Int x) {
+        store_unaligned(p, _mm_blendv_epi8(load_unaligned(p), x, mask_of(mask)));
     }
 
     static BOXWOOD_KERNEL float greatest(Float x) { return -least((1u << kWidth) - 1, -x); }

@@ -26,6 +26,7 @@ struct Wasm {
     static BOXWOOD_KERNEL void store_unaligned(float* p, Float x) { store(p, x); }
     static BOXWOOD_KERNEL void store_unaligned(std::uint32_t* p, Int x) { wasm_v128_store(p, x); }
     static BOXWOOD_KERNEL Float broadcast(float x) { return floats(wasm_f32x4_splat(x)); }
+    static BOXWOOD_KERNEL Int broadcast_integer(std::uint32_t x) { return wasm_i32x4_splat(x); }
 
     // a < b ? a : b and a > b ? a : b, one instruction of most machines; wasm_f32x4_min and
     // wasm_f32x4_max prefer NaN and take several.
@@ -63,6 +64,7 @@ struct Wasm {
     static BOXWOOD_KERNEL unsigned equal(Float a, Float b) {
         return bits(wasm_f32x4_eq(bytes(a), bytes(b)));
     }
+    static BOXWOOD_KERNEL unsigned equal(Int a, Int b) { return bits(wasm_i32x4_eq(a, b)); }
 
     static BOXWOOD_KERNEL Float compress(unsigned mask, Float x) {
         return permute(x, lanes_of(mask));
@@ -110,8 +112,8 @@ struct Wasm {
     static BOXWOOD_KERNEL void store_masked(unsigned mask, float* p, Float x) {
         store(p, select(mask, x, load(p)));
     }
-    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, std::uint32_t x) {
-        for (; mask != 0; mask &= mask - 1) p[__builtin_ctz(mask)] = x;
+    static BOXWOOD_KERNEL void store_masked(unsigned mask, std::uint32_t* p, Int x) {
+        store_unaligned(p, wasm_v128_bitselect(x, load(p), mask_of(mask)));
     }
 
     static BOXWOOD_KERNEL float greatest(Float x) { return -least((1u << kWidth) - 1, -x); }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxwood/core/float_bits.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_ray.h"
@@ -29,9 +30,9 @@ float rounded_up(double x) { return -rounded_down(-x); }
 class NearRay {
 public:
     NearRay(const WideTree& tree, const Ray& ray) : scale_(tree.scale()) {
-        const int exponent = std::ilogb(ray.direction.lpNorm<Eigen::Infinity>());
-        const Vec3d direction = ray.direction * std::ldexp(1.0, -exponent);
-        stretch_ = std::ldexp(1.0, exponent);
+        const int exponent = exponent_of(ray.direction.lpNorm<Eigen::Infinity>());
+        const Vec3d direction = ray.direction * power_of_two(-exponent);
+        stretch_ = power_of_two(exponent);
 
         // The scene is less than a diagonal away from the middle of its bounds.
         const Vec3d lo = tree.bounds().lo.cast<double>(), hi = tree.bounds().hi.cast<double>();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/query/wide_hits.h"
 
-#include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 
 namespace boxwood {
@@ -11,11 +11,6 @@ namespace {
 
 /// Rays of one task: enough to fill a wavefront many times, few enough to share out evenly.
 constexpr std::size_t kPiece = 2048;
-
-void check_sizes(std::size_t rays, std::size_t hits) {
-    if (rays != hits)
-        throw InvalidInput("closest_hits, any_hits: expected as many places for hits as rays");
-}
 
 Rayf scaled(Rayf ray, float scale) {
     for (float& coordinate : ray.origin) coordinate *= scale;
@@ -60,7 +55,7 @@ bool any_hit(const WideTree& tree, const Rayf& ray) noexcept {
 }
 
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits) {
-    check_sizes(rays.size(), hits.size());
+    check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         if (tree.scale() == 1 && !tree.is_empty()) {
@@ -73,7 +68,7 @@ void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hi
 }
 
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits) {
-    check_sizes(rays.size(), hits.size());
+    check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         if (tree.scale() == 1 && !tree.is_empty()) {

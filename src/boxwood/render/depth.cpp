@@ -15,9 +15,12 @@ constexpr double kFarthestGrey = 0.1;
 
 }  // namespace
 
-Color DepthIntegrator::radiance(const Ray& ray) const {
-    const auto hit = surfaces_.closest_hit(ray);
-    return Color::Constant(hit ? hit->t : kNothing);
+std::vector<Color> DepthIntegrator::radiances(std::span<const Ray> rays) const {
+    std::vector<Color> colors;
+    colors.reserve(rays.size());
+    for (const auto& hit : surfaces_.closest_hits(rays))
+        colors.emplace_back(Color::Constant(hit ? hit->t : kNothing));
+    return colors;
 }
 
 void DepthIntegrator::develop(ColorImage& image) const {

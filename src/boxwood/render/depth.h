@@ -9,7 +9,7 @@ class DepthIntegrator : public Integrator {
 public:
     explicit DepthIntegrator(const Surfaces& surfaces) : surfaces_(surfaces) {}
 
-    Color radiance(const Ray& ray) const override;
+    std::vector<Color> radiances(std::span<const Ray> rays) const override;
     /// There is no mean of a distance and of nothing.
     bool can_average() const override { return false; }
     void develop(ColorImage& image) const override;

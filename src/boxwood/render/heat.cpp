@@ -10,10 +10,15 @@
 
 namespace boxwood {
 
-Color HeatIntegrator::radiance(const Ray& ray) const {
-    TraversalCounts counts;
-    surfaces_.closest_hit(ray, &counts);
-    return Color::Constant(static_cast<double>(counts.steps()));
+std::vector<Color> HeatIntegrator::radiances(std::span<const Ray> rays) const {
+    std::vector<Color> colors;
+    colors.reserve(rays.size());
+    for (const Ray& ray : rays) {
+        TraversalCounts counts;
+        surfaces_.closest_hit(ray, &counts);
+        colors.emplace_back(Color::Constant(static_cast<double>(counts.steps())));
+    }
+    return colors;
 }
 
 void HeatIntegrator::develop(ColorImage& image) const {

@@ -9,7 +9,7 @@ class HeatIntegrator : public Integrator {
 public:
     explicit HeatIntegrator(const Surfaces& surfaces) : surfaces_(surfaces) {}
 
-    Color radiance(const Ray& ray) const override;
+    std::vector<Color> radiances(std::span<const Ray> rays) const override;
     void develop(ColorImage& image) const override;
 
 private:

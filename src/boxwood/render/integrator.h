@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "boxwood/core/named.h"
 #include "boxwood/image/image.h"
@@ -18,8 +19,12 @@ class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    /// What the ray sees. Called from many threads at once.
-    virtual Color radiance(const Ray& ray) const = 0;
+    /// What each ray sees, in order, on this thread. Called from many threads at once, each with
+    /// the rays of a tile.
+    virtual std::vector<Color> radiances(std::span<const Ray> rays) const = 0;
+
+    /// What one ray sees.
+    Color radiance(const Ray& ray) const { return radiances(std::span(&ray, 1))[0]; }
 
     /// Whether rays should leave from all over the camera's lens.
     virtual bool uses_lens() const { return false; }

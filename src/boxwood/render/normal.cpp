@@ -5,9 +5,12 @@
 
 namespace boxwood {
 
-Color NormalIntegrator::radiance(const Ray& ray) const {
-    const auto hit = surfaces_.closest_hit(ray);
-    return hit ? Color(0.5 * (hit->normal + Vec3d::Ones())) : Color(Color::Zero());
+std::vector<Color> NormalIntegrator::radiances(std::span<const Ray> rays) const {
+    std::vector<Color> colors(rays.size(), Color::Zero());
+    const SurfaceHits hits = surfaces_.closest_hits(rays);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (hits[i]) colors[i] = 0.5 * (hits[i]->normal + Vec3d::Ones());
+    return colors;
 }
 
 }  // namespace boxwood

@@ -9,7 +9,7 @@ class NormalIntegrator : public Integrator {
 public:
     explicit NormalIntegrator(const Surfaces& surfaces) : surfaces_(surfaces) {}
 
-    Color radiance(const Ray& ray) const override;
+    std::vector<Color> radiances(std::span<const Ray> rays) const override;
 
 private:
     const Surfaces& surfaces_;

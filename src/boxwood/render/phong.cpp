@@ -6,11 +6,16 @@
 
 namespace boxwood {
 
-Color PhongIntegrator::radiance(const Ray& ray) const {
-    const auto hit = surfaces_.closest_hit(ray);
-    if (!hit) return world_.background;
-    const auto everywhere = [](const Vec3d&, double) { return true; };
-    return phong_shading(world_, *hit, -ray.direction.normalized(), everywhere);
+std::vector<Color> PhongIntegrator::radiances(std::span<const Ray> rays) const {
+    std::vector<Color> colors(rays.size(), world_.background);
+    const SurfaceHits hits = surfaces_.closest_hits(rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i]) continue;
+        colors[i] = ambient_term(world_, *hits[i]);
+        for (const PointLight& light : world_.lights)
+            colors[i] += light_terms(light, *hits[i], towards_viewer(rays[i]));
+    }
+    return colors;
 }
 
 }  // namespace boxwood

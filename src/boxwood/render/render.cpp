@@ -2,10 +2,9 @@
 #include "boxwood/render/render.h"
 
 #include <algorithm>
-#include <mutex>
+#include <vector>
 
 #include "boxwood/core/error.h"
-#include "boxwood/core/parallel.h"
 #include "boxwood/render/sampler.h"
 
 namespace boxwood {
@@ -14,10 +13,15 @@ namespace {
 
 constexpr int kTileSize = 16;
 
+struct Pixel {
+    int x, y;
+};
+
 class Renderer {
 public:
     Renderer(const World& world, const Surfaces& surfaces, const RenderOptions& options)
         : camera_(world.camera),
+          film_(camera_.film(options.width, options.height)),
           options_(options),
           integrator_(make_integrator(options.integrator, world, surfaces, options.bounces)),
           image_(options.width, options.height, Color::Zero()) {
@@ -30,57 +34,52 @@ public:
         const int columns = (options_.width + kTileSize - 1) / kTileSize;
         const int rows = (options_.height + kTileSize - 1) / kTileSize;
         const auto tiles = static_cast<std::size_t>(columns) * rows;
-        parallel_for(tiles, 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t tile = begin; tile < end; ++tile) {
-                render_tile(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
-                report_one_of(tiles);
-            }
+        const BatchOptions watched = {.progress = options_.progress,
+                                      .cancellation = options_.cancellation};
+        for_each_piece(tiles, 1, watched, [&](std::size_t tile, std::size_t) {
+            render_tile(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
         });
         integrator_->develop(image_);
         return std::move(image_);
     }
 
 private:
+    /// The rays of one sample go together, so that memory doesn't grow with the samples.
     void render_tile(int column, int row) {
         const int right = std::min((column + 1) * kTileSize, options_.width);
         const int bottom = std::min((row + 1) * kTileSize, options_.height);
-        for (int y = row * kTileSize; y < bottom; ++y) {
-            for (int x = column * kTileSize; x < right; ++x) image_.at(x, y) = pixel(x, y);
-        }
-    }
+        std::vector<Pixel> pixels;
+        for (int y = row * kTileSize; y < bottom; ++y)
+            for (int x = column * kTileSize; x < right; ++x) pixels.push_back({x, y});
 
-    Color pixel(int x, int y) const {
-        if (samples_ == 1) return radiance({.film = {x + 0.5, y + 0.5}});
-        const auto index = static_cast<std::uint64_t>(y) * options_.width + x;
-        Color sum = Color::Zero();
+        std::vector<Ray> rays(pixels.size());
+        std::vector<Color> sums(pixels.size(), Color::Zero());
         for (int i = 0; i < samples_; ++i) {
-            CameraSample sample =
-                camera_sample(options_.seed, index, i, camera_.pixel_spread, x, y);
-            if (!uses_lens_) sample.lens.setZero();
-            sum += radiance(sample);
+            for (std::size_t k = 0; k < pixels.size(); ++k)
+                rays[k] = camera_.ray(sample(pixels[k], i), film_);
+            const std::vector<Color> colors = integrator_->radiances(rays);
+            for (std::size_t k = 0; k < pixels.size(); ++k) sums[k] += colors[k];
         }
-        return sum / samples_;
+        for (std::size_t k = 0; k < pixels.size(); ++k)
+            image_.at(pixels[k].x, pixels[k].y) = sums[k] / samples_;
     }
 
-    Color radiance(const CameraSample& sample) const {
-        return integrator_->radiance(camera_.ray(sample, options_.width, options_.height));
-    }
-
-    void report_one_of(std::size_t tiles) {
-        if (!options_.progress) return;
-        const std::lock_guard lock(progress_mutex_);
-        ++tiles_done_;
-        options_.progress(static_cast<double>(tiles_done_) / static_cast<double>(tiles));
+    CameraSample sample(const Pixel& pixel, int i) const {
+        const auto [x, y] = pixel;
+        if (samples_ == 1) return {.film = {x + 0.5, y + 0.5}};
+        const auto index = static_cast<std::uint64_t>(y) * options_.width + x;
+        CameraSample sample = camera_sample(options_.seed, index, i, camera_.pixel_spread, x, y);
+        if (!uses_lens_) sample.lens.setZero();
+        return sample;
     }
 
     const Camera& camera_;
+    const Film film_;
     const RenderOptions& options_;
     std::unique_ptr<Integrator> integrator_;
     ColorImage image_;
     bool uses_lens_ = false;
     int samples_ = 1;
-    std::mutex progress_mutex_;
-    std::size_t tiles_done_ = 0;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "boxwood/core/batch.h"
 #include "boxwood/image/image.h"
 #include "boxwood/render/integrator.h"
 #include "boxwood/render/surfaces.h"
@@ -20,12 +21,14 @@ struct RenderOptions {
     int samples = 1;
     std::uint64_t seed = 0;
     int bounces = 5;
-    /// Called now and then with the part that is done, from 0 to 1, by one thread at a time.
+    /// As those of BatchOptions.
     std::function<void(double)> progress = {};
+    const Cancellation* cancellation = nullptr;
 };
 
 /// The picture of a world in linear colour. The same bits for any number of threads and any way of
-/// finding hits. Throws InvalidInput on sizes, samples or bounces out of range.
+/// finding hits. Throws InvalidInput on sizes, samples or bounces out of range, Cancelled when that
+/// is asked for.
 ColorImage render(const World& world, const Surfaces& surfaces, const RenderOptions& options = {});
 
 }  // namespace boxwood

@@ -2,6 +2,7 @@
 #include "boxwood/render/surfaces.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "boxwood/core/ray_sphere.h"
 
@@ -47,17 +48,32 @@ TriangleId Surfaces::sphere_id(std::uint32_t sphere) const {
 }
 
 std::optional<SurfaceHit> Surfaces::closest_hit(const Ray& ray, TraversalCounts* counts) const {
-    if (!is_traceable(ray)) return std::nullopt;
     const auto on_mesh = counts ? scene_.closest_hit(ray, *counts) : scene_.closest_hit(ray);
-    double t = on_mesh ? on_mesh->t : ray.t_max;
+    return closest_of(ray, on_mesh.value_or(Hit{}), counts);
+}
+
+SurfaceHits Surfaces::closest_hits(std::span<const Ray> rays) const {
+    std::vector<Hit> on_meshes(rays.size());
+    scene_.closest_hits(rays, on_meshes, {.on_this_thread = true});
+    SurfaceHits hits;
+    hits.reserve(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) hits.push_back(closest_of(rays[i], on_meshes[i]));
+    return hits;
+}
+
+/// The hit on a mesh, or a closer one on a sphere.
+std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& on_mesh,
+                                               TraversalCounts* counts) const {
+    if (!is_traceable(ray)) return std::nullopt;
+    double t = on_mesh.is_hit() ? on_mesh.t : ray.t_max;
     std::optional<std::uint32_t> closest_sphere;
     if (!sphere_tree_.is_empty()) {
         const auto visit = [&](std::uint32_t sphere, double t_max) {
             const auto found = intersect(ray, sphere, t_max);
             // Equal distances go to meshes, then to the first sphere.
             const bool wins =
-                found && (*found < t ||
-                          (closest_sphere ? *found == t && sphere < *closest_sphere : !on_mesh));
+                found && (*found < t || (closest_sphere ? *found == t && sphere < *closest_sphere
+                                                        : !on_mesh.is_hit()));
             if (!wins) return t_max;
             closest_sphere = sphere;
             return t = *found;
@@ -74,19 +90,27 @@ std::optional<SurfaceHit> Surfaces::closest_hit(const Ray& ray, TraversalCounts*
                           .material = &world_.materials[sphere.material],
                           .id = sphere_id(*closest_sphere)};
     }
-    if (!on_mesh) return std::nullopt;
-    const MeshObject& object = world_.meshes[on_mesh->mesh];
+    if (!on_mesh.is_hit()) return std::nullopt;
+    const MeshObject& object = world_.meshes[on_mesh.mesh];
     return SurfaceHit{.t = t,
                       .point = ray.at(t),
-                      .normal = geometric_normal(object.mesh, on_mesh->triangle),
+                      .normal = geometric_normal(object.mesh, on_mesh.triangle),
                       .material = &world_.materials[object.material],
-                      .id = {on_mesh->mesh, on_mesh->triangle}};
+                      .id = {on_mesh.mesh, on_mesh.triangle}};
 }
 
-bool Surfaces::any_hit(const Ray& ray) const {
-    if (!is_traceable(ray)) return false;
-    if (scene_.any_hit(ray)) return true;
-    if (sphere_tree_.is_empty()) return false;
+bool Surfaces::any_hit(const Ray& ray) const { return scene_.any_hit(ray) || hits_sphere(ray); }
+
+std::vector<bool> Surfaces::any_hits(std::span<const Ray> rays) const {
+    const auto on_meshes = std::make_unique<bool[]>(rays.size());
+    scene_.any_hits(rays, {on_meshes.get(), rays.size()}, {.on_this_thread = true});
+    std::vector<bool> hits(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = on_meshes[i] || hits_sphere(rays[i]);
+    return hits;
+}
+
+bool Surfaces::hits_sphere(const Ray& ray) const {
+    if (sphere_tree_.is_empty() || !is_traceable(ray)) return false;
     bool found = false;
     traverse(sphere_tree_, ray, [&](std::uint32_t sphere, double t_max) {
         found = found || intersect(ray, sphere, t_max);

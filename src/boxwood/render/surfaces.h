@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "boxwood/scene/scene.h"
@@ -26,6 +27,9 @@ struct SurfaceHit {
     }
 };
 
+/// One a ray, in order; nothing where it misses.
+using SurfaceHits = std::vector<std::optional<SurfaceHit>>;
+
 /// All that rays can hit in a world: its meshes, with their trees, and its spheres, which go by ids
 /// as if they were the triangles of one more mesh.
 class Surfaces {
@@ -36,9 +40,16 @@ public:
     std::optional<SurfaceHit> closest_hit(const Ray& ray, TraversalCounts* counts = nullptr) const;
     bool any_hit(const Ray& ray) const;
 
+    // The same for each ray, on this thread: for a tile of a picture, or less.
+    SurfaceHits closest_hits(std::span<const Ray> rays) const;
+    std::vector<bool> any_hits(std::span<const Ray> rays) const;
+
     const Scene& scene() const { return scene_; }
 
 private:
+    std::optional<SurfaceHit> closest_of(const Ray& ray, const Hit& on_mesh,
+                                         TraversalCounts* counts = nullptr) const;
+    bool hits_sphere(const Ray& ray) const;
     TriangleId sphere_id(std::uint32_t sphere) const;
     std::optional<double> intersect(const Ray& ray, std::uint32_t sphere, double t_max) const;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // whitted: phong with shadows, mirrors and glass. From each point that it sees it asks which lights
 // are hidden, and follows the mirrored and the refracted ray in turn, up to a number of bounces.
-// A ray doesn't see the triangle that it starts on, so no epsilon keeps it off its own surface.
+// The rays of a tile go together: first all of them, then what they turn into at the surfaces. A
+// ray doesn't see the triangle that it starts on, so no epsilon keeps it off its own surface.
 // Source: Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
 #include "boxwood/render/whitted.h"
 
@@ -10,6 +11,17 @@
 namespace boxwood {
 
 namespace {
+
+/// Rays that leave the points where others hit, with the places of those.
+struct RaysFrom {
+    std::vector<Ray> rays;
+    std::vector<std::size_t> places;
+
+    void add(const Ray& ray, std::size_t place) {
+        rays.push_back(ray);
+        places.push_back(place);
+    }
+};
 
 /// The direction that mirrors the one to the viewer.
 Vec3d reflected(const Vec3d& to_viewer, const Vec3d& normal) {
@@ -30,29 +42,52 @@ Vec3d refracted(const Vec3d& to_viewer, const Vec3d& normal, double refraction_i
 
 }  // namespace
 
-Color WhittedIntegrator::trace(const Ray& ray, int bounces) const {
-    const auto hit = surfaces_.closest_hit(ray);
-    if (!hit) return world_.background;
+std::vector<Color> WhittedIntegrator::trace(std::span<const Ray> rays, int bounces) const {
+    const SurfaceHits hits = surfaces_.closest_hits(rays);
+    std::vector<Color> colors(rays.size(), world_.background);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (hits[i]) colors[i] = ambient_term(world_, *hits[i]);
+    for (const PointLight& light : world_.lights) add_light(light, rays, hits, colors);
+    if (bounces == 0) return colors;
 
-    const auto is_lit = [&](const Vec3d& to_light, double distance) {
-        Ray shadow_ray = hit->ray_towards(to_light);
-        shadow_ray.t_max = distance;
-        return !surfaces_.any_hit(shadow_ray);
+    const auto follow = [&](Color Material::*part, const auto& direction_of) {
+        RaysFrom onward;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (!hits[i] || (hits[i]->material->*part).isZero(0)) continue;
+            const Vec3d direction = direction_of(towards_viewer(rays[i]), *hits[i]);
+            onward.add(hits[i]->ray_towards(direction), i);
+        }
+        if (onward.rays.empty()) return;
+        const std::vector<Color> seen = trace(onward.rays, bounces - 1);
+        for (std::size_t k = 0; k < seen.size(); ++k) {
+            const std::size_t i = onward.places[k];
+            colors[i] += (hits[i]->material->*part).cwiseProduct(seen[k]);
+        }
     };
-    const Vec3d to_viewer = -ray.direction.normalized();
-    Color color = phong_shading(world_, *hit, to_viewer, is_lit);
-    if (bounces == 0) return color;
+    follow(&Material::mirror, [](const Vec3d& to_viewer, const SurfaceHit& hit) {
+        return reflected(to_viewer, hit.normal);
+    });
+    follow(&Material::refraction, [](const Vec3d& to_viewer, const SurfaceHit& hit) {
+        return refracted(to_viewer, hit.normal, hit.material->refraction_index);
+    });
+    return colors;
+}
 
-    const Material& material = *hit->material;
-    if (!material.mirror.isZero(0)) {
-        const Vec3d direction = reflected(to_viewer, hit->normal);
-        color += material.mirror.cwiseProduct(trace(hit->ray_towards(direction), bounces - 1));
+void WhittedIntegrator::add_light(const PointLight& light, std::span<const Ray> rays,
+                                  const SurfaceHits& hits, std::vector<Color>& colors) const {
+    RaysFrom shadow;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i]) continue;
+        const Vec3d towards = light.position - hits[i]->point;
+        Ray ray = hits[i]->ray_towards(towards.normalized());
+        ray.t_max = towards.norm();
+        shadow.add(ray, i);
     }
-    if (!material.refraction.isZero(0)) {
-        const Vec3d direction = refracted(to_viewer, hit->normal, material.refraction_index);
-        color += material.refraction.cwiseProduct(trace(hit->ray_towards(direction), bounces - 1));
+    const std::vector<bool> is_hidden = surfaces_.any_hits(shadow.rays);
+    for (std::size_t k = 0; k < is_hidden.size(); ++k) {
+        const std::size_t i = shadow.places[k];
+        if (!is_hidden[k]) colors[i] += light_terms(light, *hits[i], towards_viewer(rays[i]));
     }
-    return color;
 }
 
 }  // namespace boxwood

@@ -10,11 +10,16 @@ public:
     WhittedIntegrator(const World& world, const Surfaces& surfaces, int bounces)
         : world_(world), surfaces_(surfaces), bounces_(bounces) {}
 
-    Color radiance(const Ray& ray) const override { return trace(ray, bounces_); }
+    std::vector<Color> radiances(std::span<const Ray> rays) const override {
+        return trace(rays, bounces_);
+    }
     bool uses_lens() const override { return true; }
 
 private:
-    Color trace(const Ray& ray, int bounces) const;
+    std::vector<Color> trace(std::span<const Ray> rays, int bounces) const;
+    /// Adds the light's part at each hit that it isn't hidden from.
+    void add_light(const PointLight& light, std::span<const Ray> rays, const SurfaceHits& hits,
+                   std::vector<Color>& colors) const;
 
     const World& world_;
     const Surfaces& surfaces_;

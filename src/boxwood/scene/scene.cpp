@@ -8,10 +8,14 @@
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/closest_hit.h"
+#include "boxwood/query/hit_places.h"
 
 namespace boxwood {
 
 namespace {
+
+/// Rays between two looks at whether to go on: few, as by brute force each may take long.
+constexpr std::size_t kPiece = 256;
 
 /// The ray as a mesh of the scene sees it.
 Ray ray_in_mesh(Ray ray, std::uint32_t mesh) {
@@ -104,6 +108,22 @@ bool Scene::any_hit(const Ray& ray) const noexcept {
             visit(mesh, ray.t_max);
     }
     return found;
+}
+
+void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
+                         const BatchOptions& options) const {
+    check_hit_places(rays.size(), hits.size());
+    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
+    });
+}
+
+void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
+                     const BatchOptions& options) const {
+    check_hit_places(rays.size(), hits.size());
+    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(rays[i]);
+    });
 }
 
 }  // namespace boxwood

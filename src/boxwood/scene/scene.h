@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxwood/build/build.h"
+#include "boxwood/core/batch.h"
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/traverse.h"
@@ -41,6 +42,15 @@ public:
 
     /// Whether anything is hit in [ray.t_min, ray.t_max].
     bool any_hit(const Ray& ray) const noexcept;
+
+    /// closest_hit() of each ray, in order and to the last bit, on all cores; Hit{} where there is
+    /// none. Takes no memory that grows with the rays. Throws InvalidInput when the sizes differ,
+    /// Cancelled when options.cancellation asks for it; what is in hits then is of no use.
+    void closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
+                      const BatchOptions& options = {}) const;
+    /// any_hit() of each ray, likewise.
+    void any_hits(std::span<const Ray> rays, std::span<bool> hits,
+                  const BatchOptions& options = {}) const;
 
     std::span<const MeshView> meshes() const { return meshes_; }
     /// Whether queries can count their steps: with options.keep_trees or options.brute_force.

@@ -17,6 +17,12 @@ struct CameraSample {
     Vec2d lens = Vec2d::Zero();  ///< in the unit square; (0, 0) is the pinhole
 };
 
+/// What a picture is taken on: its pixels, and half its size where the camera has it.
+struct Film {
+    int width, height;
+    double half_width, half_height;
+};
+
 struct Camera {
     bool is_perspective = true;
     Vec3d position = Vec3d::Zero();
@@ -33,8 +39,13 @@ struct Camera {
     /// Turns the camera to look from a place to another; up is nearly the given direction.
     void look_at(const Vec3d& from, const Vec3d& to, const Vec3d& nearly_up = Vec3d::UnitY());
 
-    /// The ray through a place of a film of width by height pixels; its direction has unit length.
-    Ray ray(const CameraSample& sample, int width, int height) const;
+    Film film(int width, int height) const;
+    /// The ray through a place of this camera's film; its direction has unit length.
+    Ray ray(const CameraSample& sample, const Film& film) const;
+    /// The same for a film of width by height pixels. For many rays make the film once.
+    Ray ray(const CameraSample& sample, int width, int height) const {
+        return ray(sample, film(width, height));
+    }
 };
 
 inline void Camera::look_at(const Vec3d& from, const Vec3d& to, const Vec3d& nearly_up) {
@@ -44,18 +55,24 @@ inline void Camera::look_at(const Vec3d& from, const Vec3d& to, const Vec3d& nea
     up = back.cross(right);
 }
 
-inline Ray Camera::ray(const CameraSample& sample, int width, int height) const {
+inline Film Camera::film(int width, int height) const {
     const double half_height = focal_length * std::tan(field_of_view / 2);
-    const double half_width = half_height * width / height;
-    const double x = -half_width + sample.film.x() * 2 * half_width / width;
-    const double y = half_height - sample.film.y() * 2 * half_height / height;
+    return {width, height, half_height * width / height, half_height};
+}
+
+inline Ray Camera::ray(const CameraSample& sample, const Film& film) const {
+    const double x = -film.half_width + sample.film.x() * 2 * film.half_width / film.width;
+    const double y = film.half_height - sample.film.y() * 2 * film.half_height / film.height;
 
     if (!is_perspective) return {.origin = position + x * right + y * up, .direction = -back};
 
     // The unit square is spread over the disc of the lens evenly.
     const double radius = lens_radius * std::sqrt(sample.lens.x());
-    const double angle = 2 * std::numbers::pi * sample.lens.y();
-    const Vec3d on_lens = radius * std::cos(angle) * right + radius * std::sin(angle) * up;
+    Vec3d on_lens = Vec3d::Zero();
+    if (radius != 0) {
+        const double angle = 2 * std::numbers::pi * sample.lens.y();
+        on_lens = radius * std::cos(angle) * right + radius * std::sin(angle) * up;
+    }
     const Vec3d on_film = x * right + y * up - focal_length * back;
     return {.origin = position + on_lens, .direction = (on_film - on_lens).normalized()};
 }

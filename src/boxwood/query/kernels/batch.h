@@ -14,7 +14,7 @@ namespace boxwood {
 
 /// Where a group has more pairs of triangles and packets to test, its triangles are smaller than
 /// the distance of its rays. If its neighbours are like it, more and more of them go ray by ray.
-constexpr std::size_t kMostPairsPerRay = 5;
+constexpr std::size_t kMostPairsPerRay = 14;
 constexpr std::size_t kMostPasses = 15;
 
 /// Rays that have no more in common than that they are asked for together.
@@ -23,10 +23,8 @@ BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rayf* ra
                                         std::size_t count) {
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
         for (std::size_t i = 0; i < count; ++i) closest_hit<S>(tree, rays[i], hits[i]);
-    } else if (tree.bytes > kLargeTree) {
-        Wavefront<S, false, true>(tree, rays, hits, count).run();
     } else {
-        Wavefront<S, false, false>(tree, rays, hits, count).run();
+        Wavefront<S, false>(tree, rays, hits, count).run();
     }
 }
 
@@ -34,6 +32,12 @@ BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rayf* ra
 BOXWOOD_KERNEL bool share_origin(const Rayf& a, const Rayf& b) {
     return (a.origin[0] == b.origin[0]) & (a.origin[1] == b.origin[1]) &
            (a.origin[2] == b.origin[2]);
+}
+
+/// Asks for what will be read or written at one go.
+template <class T>
+BOXWOOD_KERNEL void fetch_ahead(const T* first, std::size_t count) {
+    for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(first + i, 0, 2);
 }
 
 template <class S>
@@ -49,7 +53,11 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
             --passes;
             continue;
         }
-        if (!share_origin(rays[i], rays[i + kGroup - 1]) || !frustum.load(rays + i)) continue;
+        if (tree.bytes > Frustum<S>::kLargestTree || !share_origin(rays[i], rays[i + kGroup - 1]) ||
+            !frustum.load(rays + i))
+            continue;
+        if (i + 2 * kGroup <= count) fetch_ahead(rays + i + kGroup, kGroup);
+        fetch_ahead(hits + i, kGroup);
         closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
         const bool is_dense = frustum.run() > kMostPairsPerRay * kGroup;
         passes = dense = is_dense ? (dense < kMostPasses ? 2 * dense + 1 : dense) : 0;
@@ -63,10 +71,8 @@ template <class S>
 void any_hits(const WideTreeView& tree, const Rayf* rays, bool* hits, std::size_t count) noexcept {
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
         for (std::size_t i = 0; i < count; ++i) hits[i] = any_hit<S>(tree, rays[i]);
-    } else if (tree.bytes > kLargeTree) {
-        Wavefront<S, true, true>(tree, rays, hits, count).run();
     } else {
-        Wavefront<S, true, false>(tree, rays, hits, count).run();
+        Wavefront<S, true>(tree, rays, hits, count).run();
     }
 }
 

@@ -1,67 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays from one point, as a camera sends them: N packets of N rays walk the tree as one. A node is
 // compared with the frustum around all of them, one box on the stack with the N frusta around the
-// packets, a triangle first with these and then, with the test that single rays use, with the rays
-// of the packets that it may be seen by. So a box or a triangle is fetched once for many rays.
-// With z the depth along the largest axis of direction, a ray is the points (x, y) = z (sx, sy),
-// and (sx, sy) is the shear of the triangle test: what is a frustum in space is a rectangle there,
-// and the edge functions of a triangle are linear in it. All bounds have room for all rounding.
-// Explained in docs/algorithms/frustum.md. Sources: Reshetov, Soupikov and Hurley, "Multi-Level Ray
-// Tracing Algorithm", SIGGRAPH 2005; Overbeck, Ramamoorthi and Mark, "Large Ray Packets for
-// Real-time Whitted Ray Tracing", RT 2008.
+// packets, a triangle first with these and then with the rays of the packets that it may be seen
+// by. So a box or a triangle is fetched once for many rays. Which triangle a ray sees is mostly
+// sure from linear functions (frustum_block.h); the test that single rays use decides where it
+// isn't, and works out the hits of all rays in the end. Explained in docs/algorithms/frustum.md.
+// Sources: Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005;
+// Overbeck, Ramamoorthi and Mark, "Large Ray Packets for Real-time Whitted Ray Tracing", RT 2008.
 #pragma once
 
-#include "boxwood/core/simd_compress.h"
-#include "boxwood/query/kernels/hit_record.h"
+#include "boxwood/query/kernels/frustum_block.h"
+#include "boxwood/query/kernels/frustum_rays.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
 namespace boxwood {
 
-/// How far apart, of the spread of the group, the rays of a packet may be on average.
-constexpr float kMostPacketSpread = 0.6f;
-
 template <class S>
 class Frustum {
 public:
     static constexpr int N = S::kWidth;
-    static constexpr std::size_t kRays = std::size_t{N} * N;
+    static constexpr std::size_t kRays = FrustumRays<S>::kRays;
+    /// Triangles are remembered by their place in the tree, in 32 bits.
+    static constexpr std::size_t kLargestTree = (std::size_t{1} << 32) / N * kReferenceUnit;
 
     BOXWOOD_KERNEL explicit Frustum(const WideTreeView& tree) : tree_(tree) {}
 
-    /// Takes in kRays rays; false when they don't share an origin, t_min >= 0 and the axis and sign
-    /// of their largest coordinate, or are scattered.
+    /// Takes in kRays rays; false when they can't be a group.
     BOXWOOD_KERNEL bool load(const Rayf* rays) {
-        const Rayf& first = rays[0];
-        if (!(first.t_min >= 0) || !is_traceable(first)) return false;
-        RaySetup setup;
-        setup.template set<typename S::Quad>(first, tree_);
-        kx_ = setup.kx;
-        ky_ = setup.ky;
-        kz_ = setup.kz;
-        ox_ = setup.ox;
-        oy_ = setup.oy;
-        oz_ = setup.oz;
-        t_min_ = setup.t_min;
-        // Twice the bound for single rays: rays are followed here by their shear, which is rounded.
-        rounding_ = 2 * setup.rounding;
-        sign_ = first.direction[kz_] < 0 ? -1.0f : 1.0f;
-
-        unsigned fits = kAllLanes;
-        for (int packet = 0; packet < N; ++packet)
-            fits &= load_packet(packet, rays + packet * N, first);
-        return fits == kAllLanes && bound_packets();
+        if (!rays_.load(tree_, rays)) return false;
+        for (int packet = 0; packet < N; ++packet) {
+            const Float t_max = S::load(rays_.t_max[packet]);
+            S::store(t_[packet], t_max);
+            S::store_unaligned(triangle_[packet], S::broadcast_integer(Hitf::kNone));
+            hit_[packet] = taken_[packet] = 0;
+            if (rays_.is_endless) {
+                S::store(near_[packet], S::broadcast(0));
+                S::store(surely_near_[packet], S::broadcast(0));
+                nearest_[packet] = 0;
+                far_[packet] = __builtin_inff();
+            } else {
+                const Float nearest = S::broadcast(1) / (t_max * S::load(rays_.depth[packet]));
+                S::store(near_[packet], nearest * S::broadcast(1 - kDepthRounding));
+                S::store(surely_near_[packet], nearest * S::broadcast(1 + kDepthRounding));
+                set_far(packet);
+            }
+        }
+        set_farthest();
+        return true;
     }
 
     /// Returns how many pairs of a packet and a triangle had to be tested.
     BOXWOOD_KERNEL std::size_t run() {
         std::size_t pairs = 0;
         WideReference current = 0;
-        unsigned packets = kAllPackets;
+        unsigned packets = FrustumRays<S>::kAll;
         int size = 0;
         for (;;) {
             if (is_leaf(current)) {
-                pairs += visit_block(tree_.template block<N>(current), packets);
+                pairs += visit_block(current, packets);
             } else {
                 size = visit_node(current, size);
             }
@@ -74,31 +71,18 @@ public:
         }
     }
 
-    BOXWOOD_KERNEL void write(Hitf* hits) const {
-        const Float zero = S::broadcast(0);
+    BOXWOOD_KERNEL void write(Hitf* hits) {
         for (int packet = 0; packet < N; ++packet) {
-            const unsigned hit = hit_[packet];
-            const auto or_zero = [&](Float x) { return S::select(hit, x, zero); };
-            const Float determinant = S::load(determinant_[packet]);
-            Float field[8] = {
-                S::select(hit, S::load(t_[packet]) + zero, S::broadcast(__builtin_inff())),
-                or_zero(S::load(v_[packet]) / determinant + zero),
-                or_zero(S::load(w_[packet]) / determinant + zero),
-                S::as_float(S::load(triangle_[packet])),
-                or_zero(S::load(normal_[0][packet])),
-                or_zero(S::load(normal_[1][packet])),
-                or_zero(S::load(normal_[2][packet])),
-                zero};
-            S::store_records(&hits[packet * N].t, field);
+            if (taken_[packet] != 0) decide_taken(packet);
+            write_packet(packet, hits + packet * N);
         }
     }
 
 private:
     using Float = typename S::Float;
 
-    static constexpr unsigned kAllLanes = (1u << N) - 1;
-    static constexpr unsigned kAllPackets = kAllLanes;
-    static constexpr int kFrustumStack = kStackSize;
+    /// Of an inverse depth that is worked out from a t.
+    static constexpr float kDepthRounding = 0x1p-20f;
 
     /// A child to visit, and whose child it is.
     struct Entry {
@@ -107,69 +91,14 @@ private:
         float enter;  ///< where the frustum enters it, along z
     };
 
-    /// Returns which lanes hold rays that fit the first.
-    BOXWOOD_KERNEL unsigned load_packet(int packet, const Rayf* rays, const Rayf& first) {
-        Float record[8];
-        S::load_records(rays[0].origin, record);
-        alignas(64) float direction[3][N];
-        for (int k = 0; k < 3; ++k) S::store(direction[k], record[4 + k]);
-        const Float x = S::load(direction[kx_]), y = S::load(direction[ky_]),
-                    z = S::load(direction[kz_]);
-        const Float sign = S::broadcast(sign_), depth = z * sign;
-        unsigned fits =
-            S::equal(record[3], S::broadcast(t_min_)) & S::less_equal(record[3], record[7]);
-        for (int k = 0; k < 3; ++k) fits &= S::equal(record[k], S::broadcast(first.origin[k]));
-        // Equally large axes: the first of them counts, as for single rays.
-        const auto fits_beside = [&](Float other, bool comes_first) {
-            const Float size = S::max(other, -other);
-            return comes_first ? S::less(size, depth) : S::less_equal(size, depth);
-        };
-        fits &= fits_beside(x, kx_ < kz_) & fits_beside(y, ky_ < kz_) &
-                S::less_equal(S::broadcast(kShortestDirection), depth) &
-                S::less_equal(depth, S::broadcast(kLongestDirection));
-
-        const Float sz = S::broadcast(1) / z;
-        S::store(sx_[packet], x * sz);
-        S::store(sy_[packet], y * sz);
-        S::store(sz_[packet], sz);
-        S::store(depth_[packet], depth);
-        S::store(t_[packet], record[7]);
-        for (int lane = 0; lane < N; ++lane) triangle_[packet][lane] = Hitf::kNone;
-        hit_[packet] = 0;
-        return fits;
-    }
-
-    /// Finds the rectangles around the shears, of the packets and of all; false when the rays of
-    /// the packets are no closer together than those of the group.
-    BOXWOOD_KERNEL bool bound_packets() {
-        const Float sign = S::broadcast(sign_);
-        for (int packet = 0; packet < N; ++packet) {
-            const Float x = S::load(sx_[packet]) * sign, y = S::load(sy_[packet]) * sign;
-            S::store(slope_x_[packet], x);
-            S::store(slope_y_[packet], y);
-            range_x_[0][packet] = S::least(kAllLanes, x);
-            range_x_[1][packet] = S::greatest(x);
-            range_y_[0][packet] = S::least(kAllLanes, y);
-            range_y_[1][packet] = S::greatest(y);
-            set_far(packet);
-        }
-        group_lo_x_ = S::least(kAllPackets, S::load(range_x_[0]));
-        group_hi_x_ = S::greatest(S::load(range_x_[1]));
-        group_lo_y_ = S::least(kAllPackets, S::load(range_y_[0]));
-        group_hi_y_ = S::greatest(S::load(range_y_[1]));
-        farthest_ = S::greatest(S::load(far_));
-        float spread = 0;
-        for (int packet = 0; packet < N; ++packet)
-            spread += (range_x_[1][packet] - range_x_[0][packet]) +
-                      (range_y_[1][packet] - range_y_[0][packet]);
-        const float group_spread = (group_hi_x_ - group_lo_x_) + (group_hi_y_ - group_lo_y_);
-        return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
-    }
-
     /// How far along z a packet looks.
     BOXWOOD_KERNEL void set_far(int packet) {
-        const Float z = S::load(t_[packet]) * S::load(depth_[packet]);
-        far_[packet] = S::greatest(z) * (1 + 0x1p-18f);
+        nearest_[packet] = S::least(FrustumRays<S>::kAll, S::load(near_[packet]));
+        far_[packet] = (1 / nearest_[packet]) * (1 + 0x1p-18f);
+    }
+    BOXWOOD_KERNEL void set_farthest() {
+        group_nearest_ = S::least(FrustumRays<S>::kAll, S::load(nearest_));
+        farthest_ = S::greatest(S::load(far_));
     }
 
     /// The largest and the least of s z for s in [lo, hi] and z in [near, far]; 0 <= near.
@@ -183,23 +112,27 @@ private:
     /// Puts the children that the frustum of the group meets on the stack, the nearest on top.
     BOXWOOD_KERNEL int visit_node(WideReference reference, int size) {
         const WideNode<N>& node = tree_.template node<N>(reference);
-        const Float ox_lo = S::broadcast(ox_ + rounding_), ox_hi = S::broadcast(ox_ - rounding_);
-        const Float oy_lo = S::broadcast(oy_ + rounding_), oy_hi = S::broadcast(oy_ - rounding_);
-        const float* near_face = sign_ > 0 ? node.slabs[kz_].lo : node.slabs[kz_].hi;
-        const float* far_face = sign_ > 0 ? node.slabs[kz_].hi : node.slabs[kz_].lo;
-        const Float oz = S::broadcast(oz_), sign = S::broadcast(sign_);
-        const Float rounding = S::broadcast(rounding_), zero = S::broadcast(0);
+        const Float ox_lo = S::broadcast(rays_.origin[0] + rays_.rounding),
+                    ox_hi = S::broadcast(rays_.origin[0] - rays_.rounding);
+        const Float oy_lo = S::broadcast(rays_.origin[1] + rays_.rounding),
+                    oy_hi = S::broadcast(rays_.origin[1] - rays_.rounding);
+        const float* near_face =
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].lo : node.slabs[rays_.axis[2]].hi;
+        const float* far_face =
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].hi : node.slabs[rays_.axis[2]].lo;
+        const Float oz = S::broadcast(rays_.origin[2]), sign = S::broadcast(rays_.sign);
+        const Float rounding = S::broadcast(rays_.rounding), zero = S::broadcast(0);
         const Float near = S::max((S::load(near_face) - oz) * sign - rounding, zero);
         const Float far = (S::load(far_face) - oz) * sign + rounding;
-        const Float lo_x = S::load(node.slabs[kx_].lo) - ox_lo;
-        const Float hi_x = S::load(node.slabs[kx_].hi) - ox_hi;
-        const Float lo_y = S::load(node.slabs[ky_].lo) - oy_lo;
-        const Float hi_y = S::load(node.slabs[ky_].hi) - oy_hi;
+        const Float lo_x = S::load(node.slabs[rays_.axis[0]].lo) - ox_lo;
+        const Float hi_x = S::load(node.slabs[rays_.axis[0]].hi) - ox_hi;
+        const Float lo_y = S::load(node.slabs[rays_.axis[1]].lo) - oy_lo;
+        const Float hi_y = S::load(node.slabs[rays_.axis[1]].hi) - oy_hi;
         unsigned hit = S::less_equal(near, S::min(far, S::broadcast(farthest_))) &
-                       S::less_equal(lo_x, most(S::broadcast(group_hi_x_), near, far)) &
-                       S::less_equal(least(S::broadcast(group_lo_x_), near, far), hi_x) &
-                       S::less_equal(lo_y, most(S::broadcast(group_hi_y_), near, far)) &
-                       S::less_equal(least(S::broadcast(group_lo_y_), near, far), hi_y);
+                       S::less_equal(lo_x, most(S::broadcast(rays_.hi_x), near, far)) &
+                       S::less_equal(least(S::broadcast(rays_.lo_x), near, far), hi_x) &
+                       S::less_equal(lo_y, most(S::broadcast(rays_.hi_y), near, far)) &
+                       S::less_equal(least(S::broadcast(rays_.lo_y), near, far), hi_y);
         alignas(64) float enter[N];
         S::store(enter, near);
         const int bottom = size;
@@ -220,215 +153,204 @@ private:
     BOXWOOD_KERNEL unsigned packets_that_see(const Entry& entry) const {
         const WideNode<N>& node = tree_.template node<N>(entry.parent);
         const std::uint32_t i = entry.slot;
-        const float far_face = sign_ > 0 ? node.slabs[kz_].hi[i] : node.slabs[kz_].lo[i];
+        const float far_face =
+            rays_.sign > 0 ? node.slabs[rays_.axis[2]].hi[i] : node.slabs[rays_.axis[2]].lo[i];
         const Float near = S::broadcast(entry.enter);
-        const Float far = S::broadcast((far_face - oz_) * sign_ + rounding_);
-        const Float lo_x = S::broadcast(node.slabs[kx_].lo[i] - (ox_ + rounding_));
-        const Float hi_x = S::broadcast(node.slabs[kx_].hi[i] - (ox_ - rounding_));
-        const Float lo_y = S::broadcast(node.slabs[ky_].lo[i] - (oy_ + rounding_));
-        const Float hi_y = S::broadcast(node.slabs[ky_].hi[i] - (oy_ - rounding_));
+        const Float far = S::broadcast((far_face - rays_.origin[2]) * rays_.sign + rays_.rounding);
+        const Float lo_x =
+            S::broadcast(node.slabs[rays_.axis[0]].lo[i] - (rays_.origin[0] + rays_.rounding));
+        const Float hi_x =
+            S::broadcast(node.slabs[rays_.axis[0]].hi[i] - (rays_.origin[0] - rays_.rounding));
+        const Float lo_y =
+            S::broadcast(node.slabs[rays_.axis[1]].lo[i] - (rays_.origin[1] + rays_.rounding));
+        const Float hi_y =
+            S::broadcast(node.slabs[rays_.axis[1]].hi[i] - (rays_.origin[1] - rays_.rounding));
         return S::less_equal(near, S::load(far_)) &
-               S::less_equal(lo_x, most(S::load(range_x_[1]), near, far)) &
-               S::less_equal(least(S::load(range_x_[0]), near, far), hi_x) &
-               S::less_equal(lo_y, most(S::load(range_y_[1]), near, far)) &
-               S::less_equal(least(S::load(range_y_[0]), near, far), hi_y);
+               S::less_equal(lo_x, most(S::load(rays_.range_x[1]), near, far)) &
+               S::less_equal(least(S::load(rays_.range_x[0]), near, far), hi_x) &
+               S::less_equal(lo_y, most(S::load(rays_.range_y[1]), near, far)) &
+               S::less_equal(least(S::load(rays_.range_y[0]), near, far), hi_y);
     }
 
-    /// The corners of the triangles of a block from the origin.
-    struct Corners {
-        alignas(64) float x[3][N], y[3][N], z[3][N];
-    };
-
-    /// What the edge functions of the triangles of a block are in the plane of slopes: twice that
-    /// of edge i of triangle j is x[i][j] sx + y[i][j] sy + w[i][j], and for a ray that hits the
-    /// triangle not less than least[j].
-    struct Edges {
-        alignas(64) float x[3][N], y[3][N], w[3][N], least[N];
-        alignas(64) float nearest[N];  ///< depth of the triangle
-    };
-
-    BOXWOOD_KERNEL std::size_t visit_block(const TriangleBlock<N>& block, unsigned packets) {
-        Corners from;
-        Float x[3], y[3], z[3];
-        for (int i = 0; i < 3; ++i) {
-            x[i] = S::load(block.corner[i][kx_]) - S::broadcast(ox_);
-            y[i] = S::load(block.corner[i][ky_]) - S::broadcast(oy_);
-            z[i] = S::load(block.corner[i][kz_]) - S::broadcast(oz_);
-            S::store(from.x[i], x[i]);
-            S::store(from.y[i], y[i]);
-            S::store(from.z[i], z[i]);
-        }
-        // Pairs of a triangle and a packet that may see it.
-        std::uint8_t triangle_of[N * N + 16], packet_of[N * N + 16];
-        for (int i = 0; i < 3; ++i) z[i] = z[i] * S::broadcast(sign_);
-        Edges edges;
-        const int pairs = find_pairs(x, y, z, packets, edges, triangle_of, packet_of);
+    BOXWOOD_KERNEL std::size_t visit_block(WideReference reference, unsigned packets) {
+        const TriangleBlock<N>& block = tree_.template block<N>(reference);
+        view_.look(block, rays_, packets, nearest_, group_nearest_);
+        const std::uint32_t first_code = (reference & ~kLeafBit) * N;
+        // Those that the linear functions leave open, of all pairs.
+        std::uint8_t open[N * N + 1];
+        int opens = 0;
         unsigned changed = 0;
-        for (int i = 0; i < pairs; ++i)
-            changed |= visit_pair(block, from, edges, triangle_of[i], packet_of[i]);
-        if (changed == 0) return static_cast<std::size_t>(pairs);
-        for (; changed != 0; changed &= changed - 1) set_far(__builtin_ctz(changed));
-        farthest_ = S::greatest(S::load(far_));
-        return static_cast<std::size_t>(pairs);
+        for (int i = 0; i < view_.pairs; ++i) {
+            const int packet = view_.packet_of[i], j = view_.triangle_of[i];
+            const auto at = [&](int k) {
+                return view_.function(k, j, rays_.slope_x[packet], rays_.slope_y[packet]);
+            };
+            const Float inside = S::min(S::min(at(0), at(1)), at(2));
+            const Float depth = at(3), error = S::broadcast(view_.depth_error[j]);
+            const Float lo = depth - error, hi = depth + error;
+            const Float near = S::load(near_[packet]), surely_near = S::load(surely_near_[packet]);
+            const unsigned maybe =
+                S::less_equal(S::broadcast(view_.least[j]), inside) & S::less_equal(near, hi);
+            const unsigned sure =
+                S::less(S::broadcast(view_.margin[j]), inside) & S::less(surely_near, lo);
+            S::store(near_[packet], S::select(sure, lo, near));
+            S::store(surely_near_[packet], S::select(sure, hi, surely_near));
+            S::store_masked(sure, code_[packet],
+                            S::broadcast_integer(first_code + static_cast<std::uint32_t>(j)));
+            taken_[packet] |= sure;
+            changed |= unsigned{sure != 0} << packet;
+            open[opens] = static_cast<std::uint8_t>(i);
+            opens += (maybe & ~sure) != 0;
+        }
+        for (int i = 0; i < opens; ++i)
+            changed |=
+                decide_open(view_.packet_of[open[i]], first_code + view_.triangle_of[open[i]]);
+        if (changed != 0) {
+            for (; changed != 0; changed &= changed - 1) set_far(__builtin_ctz(changed));
+            set_farthest();
+        }
+        return static_cast<std::size_t>(view_.pairs);
     }
 
-    /// The corners' places from the origin, their depths z positive in front of it.
-    BOXWOOD_KERNEL int find_pairs(const Float (&x)[3], const Float (&y)[3], const Float (&z)[3],
-                                  unsigned packets, Edges& edges, std::uint8_t* triangle_of,
-                                  std::uint8_t* packet_of) const {
-        // Twice the edge function of the corners p, q at (sx, sy) is ex sx + ey sy + ew, with
-        // e = (q - p) x (q + p): the difference keeps it accurate where the sum is large.
-        Float edge_size = S::broadcast(0), corner_size = S::broadcast(0);
-        const auto size = [](Float a) { return S::max(a, -a); };
-        Float e[3][3];
+    /// A triangle in each lane, its corners along the axes of the group.
+    struct Triangles {
+        Float corner[3][3];
+        alignas(64) std::uint32_t index[N];
+    };
+
+    BOXWOOD_KERNEL Triangles one_triangle(std::uint32_t code) const {
+        const TriangleBlock<N>& block = tree_.template block<N>(code / N);
+        Triangles result;
         for (int i = 0; i < 3; ++i) {
-            const int p = i == 2 ? 0 : i + 1, q = p == 2 ? 0 : p + 1;
-            const Float dx = x[q] - x[p], dy = y[q] - y[p], dz = z[q] - z[p];
-            const Float mx = x[q] + x[p], my = y[q] + y[p], mz = z[q] + z[p];
-            e[i][0] = dy * mz - dz * my;
-            e[i][1] = dz * mx - dx * mz;
-            e[i][2] = dx * my - dy * mx;
-            edge_size = S::max(edge_size, S::max(S::max(size(dx), size(dy)), size(dz)));
-            corner_size = S::max(corner_size, S::max(S::max(size(x[i]), size(y[i])), size(z[i])));
+            for (int k = 0; k < 3; ++k)
+                result.corner[i][k] = S::broadcast(block.corner[i][rays_.axis[k]][code % N]);
         }
-        // Rays that hit a triangle in front of the origin see it from the side on which the origin
-        // lies: that makes the sign of all its edge functions.
-        const Float volume = (x[0] * e[0][0] + y[0] * e[0][1]) + z[0] * e[0][2];
-        const Float margin = S::broadcast(0x1p-16f) * edge_size * corner_size;
-        // The volume is wrong by less than this; where its sign isn't sure, nothing is left out.
-        const Float doubt = S::broadcast(0x1p-17f) * edge_size * corner_size * corner_size;
-        const unsigned sure = S::less(doubt, size(volume));
-        const unsigned positive = S::less(S::broadcast(0), volume);
-        const Float front = S::min(S::min(z[0], z[1]), z[2]) - S::broadcast(rounding_);
-        const Float least = S::select(sure, -margin, S::broadcast(-__builtin_inff()));
-        const Float flip = S::select(positive, S::broadcast(1), S::broadcast(-1));
-        S::store(edges.nearest, front);
-        S::store(edges.least, least);
-        for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < 3; ++k) e[i][k] = e[i][k] * flip;
-            S::store(edges.x[i], e[i][0]);
-            S::store(edges.y[i], e[i][1]);
-            S::store(edges.w[i], e[i][2]);
-        }
-        const auto most_over = [](Float a, Float b, Float c, Float lo_x, Float hi_x, Float lo_y,
-                                  Float hi_y) {
-            return (S::max(a * lo_x, a * hi_x) + S::max(b * lo_y, b * hi_y)) + c;
-        };
-        unsigned triangles = S::less_equal(front, S::broadcast(farthest_));
-        for (int i = 0; i < 3; ++i) {
-            const Float most = most_over(e[i][0], e[i][1], e[i][2], S::broadcast(group_lo_x_),
-                                         S::broadcast(group_hi_x_), S::broadcast(group_lo_y_),
-                                         S::broadcast(group_hi_y_));
-            triangles &= S::less_equal(least, most);
-        }
-        // An edge function is largest where x is, if it rises with it, else where x is least.
-        unsigned rises_x[3], rises_y[3];
-        for (int i = 0; i < 3; ++i) {
-            rises_x[i] = S::less(S::broadcast(0), e[i][0]);
-            rises_y[i] = S::less(S::broadcast(0), e[i][1]);
-        }
-        int pairs = 0;
-        for (; triangles != 0; triangles &= triangles - 1) {
-            const int j = __builtin_ctz(triangles);
-            unsigned seen = packets & S::less_equal(S::broadcast(edges.nearest[j]), S::load(far_));
+        S::store_unaligned(result.index, S::broadcast_integer(block.triangle[code % N]));
+        return result;
+    }
+
+    BOXWOOD_KERNEL Triangles triangles(const std::uint32_t* codes) const {
+        alignas(64) float corners[3][3][N];
+        Triangles result;
+        for (int lane = 0; lane < N; ++lane) {
+            const TriangleBlock<N>& block = tree_.template block<N>(codes[lane] / N);
             for (int i = 0; i < 3; ++i) {
-                const float* x_most = range_x_[rises_x[i] >> j & 1];
-                const float* y_most = range_y_[rises_y[i] >> j & 1];
-                seen &= S::less_equal(S::broadcast(edges.least[j]),
-                                      edge_function(edges, i, j, x_most, y_most));
+                for (int k = 0; k < 3; ++k)
+                    corners[i][k][lane] = block.corner[i][k][codes[lane] % N];
             }
-            pairs = append(seen, j, pairs, triangle_of, packet_of);
+            result.index[lane] = block.triangle[codes[lane] % N];
         }
-        return pairs;
-    }
-
-    BOXWOOD_KERNEL static Float edge_function(const Edges& edges, int i, int j, const float* x,
-                                              const float* y) {
-        return S::multiply_add(
-            S::broadcast(edges.x[i][j]), S::load(x),
-            S::multiply_add(S::broadcast(edges.y[i][j]), S::load(y), S::broadcast(edges.w[i][j])));
-    }
-
-    /// Adds the pairs of triangle j and the packets of a mask, eight at a time, without a branch.
-    BOXWOOD_KERNEL static int append(unsigned packets, int j, int pairs, std::uint8_t* triangle_of,
-                                     std::uint8_t* packet_of) {
-        constexpr std::uint64_t kEachByte = 0x0101010101010101u;
-        const std::uint64_t triangle = static_cast<std::uint64_t>(j) * kEachByte;
-        for (std::uint64_t first = 0; first < N; first += 8) {
-            const unsigned mask = packets >> first & 255;
-            std::uint64_t lanes;
-            __builtin_memcpy(&lanes, kCompressLanes.of[mask], sizeof(lanes));
-            lanes += first * kEachByte;
-            __builtin_memcpy(packet_of + pairs, &lanes, sizeof(lanes));
-            __builtin_memcpy(triangle_of + pairs, &triangle, sizeof(triangle));
-            pairs += __builtin_popcount(mask);
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) result.corner[i][k] = S::load(corners[i][rays_.axis[k]]);
         }
-        return pairs;
+        return result;
     }
 
-    /// All rays of a packet against one triangle. Returns the packet's bit if any came closer.
-    BOXWOOD_KERNEL unsigned visit_pair(const TriangleBlock<N>& block, const Corners& from,
-                                       const Edges& edges, int j, int packet) {
-        const auto edge = [&](int i) {
-            return edge_function(edges, i, j, slope_x_[packet], slope_y_[packet]);
+    /// The test of single rays for a triangle that the linear functions leave open. Returns the
+    /// packet's bit if any of its rays came closer.
+    BOXWOOD_KERNEL unsigned decide_open(int packet, std::uint32_t code) {
+        const unsigned closer = decide(packet, FrustumRays<S>::kAll, one_triangle(code));
+        if (closer == 0) return 0;
+        const Float nearest =
+            S::broadcast(1) / (S::load(t_[packet]) * S::load(rays_.depth[packet]));
+        const auto raise = [&](float* place, float by) {
+            const Float old = S::load(place);
+            S::store(place, S::select(closer, S::max(nearest * S::broadcast(by), old), old));
         };
-        const Float inside = S::min(S::min(edge(0), edge(1)), edge(2));
-        if (S::less_equal(S::broadcast(edges.least[j]), inside) == 0) return 0;
+        raise(near_[packet], 1 - kDepthRounding);
+        raise(surely_near_[packet], 1 + kDepthRounding);
+        return 1u << packet;
+    }
 
-        const Float sx = S::load(sx_[packet]), sy = S::load(sy_[packet]);
-        const auto corner = [&](int i) {
-            return ShearedCorner<S>(S::broadcast(from.x[i][j]), S::broadcast(from.y[i][j]),
-                                    S::broadcast(from.z[i][j]), sx, sy);
+    /// The same for the triangles that the rays surely hit.
+    BOXWOOD_KERNEL void decide_taken(int packet) {
+        const unsigned taken = taken_[packet];
+        const std::uint32_t code = code_[packet][__builtin_ctz(taken)];
+        const unsigned same = S::equal(S::load(code_[packet]), S::broadcast_integer(code));
+        if ((taken & ~same) == 0) {
+            decide(packet, taken, one_triangle(code));
+            return;
+        }
+        std::uint32_t codes[N];
+        for (int lane = 0; lane < N; ++lane)
+            codes[lane] = taken >> lane & 1 ? code_[packet][lane] : code;
+        decide(packet, taken, triangles(codes));
+    }
+
+    /// The same for some of the rays. Keeps the hits that are closer than those there are, and
+    /// returns which rays have one.
+    BOXWOOD_KERNEL unsigned decide(int packet, unsigned rays, const Triangles& triangles) {
+        const auto& corner = triangles.corner;
+        const auto sheared = [&](int i) {
+            Float from[3];
+            for (int k = 0; k < 3; ++k) from[k] = corner[i][k] - S::broadcast(rays_.origin[k]);
+            if (rays_.all_along_z[packet])
+                return ShearedCorner<S>(from[0], from[1], from[2], S::load(rays_.sx[packet]),
+                                        S::load(rays_.sy[packet]));
+            return ShearedCorner<S>(rays_.turned(packet, from[1], from[2], from[0]),
+                                    rays_.turned(packet, from[2], from[0], from[1]),
+                                    rays_.turned(packet, from[0], from[1], from[2]),
+                                    S::load(rays_.sx[packet]), S::load(rays_.sy[packet]));
         };
+        const ShearedCorner<S> a = sheared(0), b = sheared(1), c = sheared(2);
         const Float t = S::load(t_[packet]);
-        const BlockHit<S> hit = intersect<S, true>(corner(0), corner(1), corner(2),
-                                                   S::load(sz_[packet]), S::broadcast(t_min_), t);
-        if (hit.mask == 0) return 0;
-        const std::uint32_t triangle = block.triangle[j];
-        unsigned closer = hit.mask;
+        const BlockHit<S> hit =
+            intersect<S>(a, b, c, S::load(rays_.sz[packet]), S::broadcast(rays_.t_min), t);
+        unsigned closer = hit.mask & rays;
         // Equal distances go to the lower triangle.
-        for (unsigned ties = hit.mask & S::equal(hit.t, t); ties != 0; ties &= ties - 1) {
+        for (unsigned ties = closer & S::equal(hit.t, t); ties != 0; ties &= ties - 1) {
             const int lane = __builtin_ctz(ties);
-            if (triangle_[packet][lane] < triangle) closer &= ~(1u << lane);
+            if (triangle_[packet][lane] < triangles.index[lane]) closer &= ~(1u << lane);
         }
-        S::store(t_[packet], S::select(closer, hit.t, t));
+        if (closer == 0) return 0;
         const auto keep = [&](float* place, Float value) { S::store_masked(closer, place, value); };
+        keep(t_[packet], hit.t);
         keep(v_[packet], hit.v);
         keep(w_[packet], hit.w);
         keep(determinant_[packet], hit.determinant);
-        float ab[3], ac[3];
         for (int k = 0; k < 3; ++k) {
-            ab[k] = block.corner[1][k][j] - block.corner[0][k][j];
-            ac[k] = block.corner[2][k][j] - block.corner[0][k][j];
+            const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+            keep(normal_[rays_.axis[k]][packet],
+                 (corner[1][i] - corner[0][i]) * (corner[2][j] - corner[0][j]) -
+                     (corner[1][j] - corner[0][j]) * (corner[2][i] - corner[0][i]));
         }
-        for (int k = 0; k < 3; ++k) {
-            const int a = k == 2 ? 0 : k + 1, b = a == 2 ? 0 : a + 1;
-            keep(normal_[k][packet], S::broadcast(ab[a] * ac[b] - ab[b] * ac[a]));
-        }
-        S::store_masked(closer, triangle_[packet], triangle);
+        S::store_masked(closer, triangle_[packet], S::load(triangles.index));
         hit_[packet] |= closer;
-        return closer != 0 ? 1u << packet : 0;
+        return closer;
     }
 
-    BOXWOOD_KERNEL static float smaller(float a, float b) { return a < b ? a : b; }
-    BOXWOOD_KERNEL static float larger(float a, float b) { return a < b ? b : a; }
+    BOXWOOD_KERNEL void write_packet(int packet, Hitf* hits) const {
+        const Float zero = S::broadcast(0);
+        const unsigned hit = hit_[packet];
+        const auto or_zero = [&](Float x) { return S::select(hit, x, zero); };
+        const Float determinant = S::load(determinant_[packet]);
+        Float field[8] = {
+            S::select(hit, S::load(t_[packet]) + zero, S::broadcast(__builtin_inff())),
+            or_zero(S::load(v_[packet]) / determinant + zero),
+            or_zero(S::load(w_[packet]) / determinant + zero),
+            S::as_float(S::load(triangle_[packet])),
+            or_zero(S::load(normal_[0][packet])),
+            or_zero(S::load(normal_[1][packet])),
+            or_zero(S::load(normal_[2][packet])),
+            zero};
+        S::store_records(&hits->t, field);
+    }
 
     const WideTreeView& tree_;
-    std::uint32_t kx_, ky_, kz_;
-    float ox_, oy_, oz_, t_min_, rounding_, sign_;
-    float group_lo_x_, group_hi_x_, group_lo_y_, group_hi_y_;
-    float farthest_;  ///< how far along z any ray looks
-    // Of each packet.
-    alignas(64) float range_x_[2][N], range_y_[2][N];  ///< of slopes: the least, the greatest
-    alignas(64) float far_[N];
-    // Of each ray of each packet.
-    alignas(64) float sx_[N][N], sy_[N][N], sz_[N][N], t_[N][N];
-    alignas(64) float slope_x_[N][N], slope_y_[N][N];  ///< sx and sy against depth
-    alignas(64) float depth_[N][N];                    ///< along z, for each unit of t
-    alignas(64) float v_[N][N], w_[N][N], determinant_[N][N], normal_[3][N][N];
+    FrustumRays<S> rays_;
+    BlockInView<S> view_;
+    // Of the group and of each packet: the least inverse depth at which a ray looks for hits, and
+    // how far along z that is.
+    float group_nearest_, farthest_;
+    alignas(64) float nearest_[N], far_[N];
+    // Of each ray of each packet: bounds of the inverse depth of the closest hit, the place of the
+    // triangle that is surely hit, and the closest hit of those that had to be decided.
+    alignas(64) float near_[N][N], surely_near_[N][N];
+    alignas(64) std::uint32_t code_[N][N];
+    alignas(64) float t_[N][N], v_[N][N], w_[N][N], determinant_[N][N], normal_[3][N][N];
     alignas(64) std::uint32_t triangle_[N][N];
-    unsigned hit_[N];  ///< of each packet: which rays hit something
-    Entry stack_[kFrustumStack];
+    unsigned taken_[N], hit_[N];  ///< of each packet, masks of rays
+    Entry stack_[kStackSize];
 };
 
 }  // namespace boxwood

@@ -10,6 +10,7 @@
 
 #include <type_traits>
 
+#include "boxwood/query/kernels/fetch_trial.h"
 #include "boxwood/query/kernels/hit_record.h"
 #include "boxwood/query/kernels/node_ray.h"
 #include "boxwood/query/kernels/triangle_block.h"
@@ -35,7 +36,7 @@ struct WavefrontRay {
     alignas(64) float distances[kWavefrontStack + 2 * kStackSlack];
 };
 
-template <class S, bool kAnyHit, bool kPrefetch>
+template <class S, bool kAnyHit>
 class Wavefront {
 public:
     static constexpr int N = S::kWidth;
@@ -46,27 +47,64 @@ public:
         : tree_(tree), rays_(rays), results_(results), count_(count) {}
 
     BOXWOOD_KERNEL void run() {
-        // Lists of slots. The sizes are apart from them so that they stay in registers.
-        std::uint16_t lists[2][2][kRaysInFlight + 1];
-        std::uint16_t done[kRaysInFlight + 1];
-        int nodes = 0, blocks = 0;
+        Lists lists;
         for (int i = 0; i < kRaysInFlight && next_ < count_; ++i) {
             for (int k = 0; k < N; ++k) {
                 slots_[i].references[k] = kDone;
                 slots_[i].distances[k] = -__builtin_inff();
             }
-            lists[0][0][nodes] = static_cast<std::uint16_t>(i);
-            nodes += start_next(slots_[i]);
+            lists.node[0][lists.nodes] = static_cast<std::uint16_t>(i);
+            lists.nodes += start_next(slots_[i]);
         }
-        for (int round = 0; nodes + blocks > 0; round ^= 1) {
-            const std::uint16_t *node_list = lists[round][0], *block_list = lists[round][1];
-            std::uint16_t *next_node_list = lists[round ^ 1][0],
-                          *next_block_list = lists[round ^ 1][1];
+        bool fetches_ahead = false;
+        if (tree_.bytes > kLargeTree) {
+            FetchTrial trial;
+            run(
+                lists, [&](WideReference reference) { trial.watch(reference); },
+                [&] { return trial.is_over(); });
+            fetches_ahead = trial.favors_fetching();
+        }
+        const auto to_the_end = [] { return false; };
+        if (fetches_ahead) {
+            // The root, where there is nothing left.
+            run(
+                lists,
+                [&](WideReference reference) {
+                    prefetch<N>(tree_, reference == kDone ? 0 : reference);
+                },
+                to_the_end);
+        } else {
+            run(
+                lists, [](WideReference) {}, to_the_end);
+        }
+    }
+
+private:
+    using Float = typename S::Float;
+    using Slot = WavefrontRay<S>;
+
+    /// Which slots stand at a node and which at a block: the lists of this round and of the next.
+    struct Lists {
+        std::uint16_t node[2][kRaysInFlight + 1], block[2][kRaysInFlight + 1];
+        int round = 0;
+        int nodes = 0, blocks = 0;
+    };
+
+    /// Takes steps until all rays are done, or enough of them. Looks ahead to where a ray goes
+    /// next.
+    template <class LookAhead, class IsOver>
+    BOXWOOD_KERNEL void run(Lists& lists, const LookAhead& look_ahead, const IsOver& is_over) {
+        std::uint16_t done[kRaysInFlight + 1];
+        // The sizes are apart from the lists so that they stay in registers.
+        int nodes = lists.nodes, blocks = lists.blocks, round = lists.round;
+        for (; nodes + blocks > 0 && !is_over(); round ^= 1) {
+            const std::uint16_t *node_list = lists.node[round], *block_list = lists.block[round];
+            std::uint16_t *next_node_list = lists.node[round ^ 1],
+                          *next_block_list = lists.block[round ^ 1];
             int next_nodes = 0, next_blocks = 0, finished = 0;
             // All three places are written; the one that counts is kept.
             const auto file = [&](std::uint16_t i, WideReference reference) {
-                // The root, where there is nothing left.
-                if (kPrefetch) prefetch<N>(tree_, reference == kDone ? 0 : reference);
+                look_ahead(reference);
                 slots_[i].current = reference;
                 next_node_list[next_nodes] = next_block_list[next_blocks] = done[finished] = i;
                 const int leaf = reference >> 31, last = reference == kDone;
@@ -85,11 +123,10 @@ public:
             nodes = next_nodes;
             blocks = next_blocks;
         }
+        lists.nodes = nodes;
+        lists.blocks = blocks;
+        lists.round = round;
     }
-
-private:
-    using Float = typename S::Float;
-    using Slot = WavefrontRay<S>;
 
     /// Puts the next ray that has to look at all into the slot.
     BOXWOOD_KERNEL bool start_next(Slot& slot) {

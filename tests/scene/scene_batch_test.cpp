@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "boxwood/core/error.h"
+#include "boxwood/core/parallel.h"
+#include "boxwood/mesh/generate.h"
+#include "boxwood/query/brute_force.h"
+#include "boxwood/scene/scene.h"
+#include "laws/hits.h"
+#include "laws/ray_families.h"
+
+namespace boxwood {
+namespace {
+
+std::vector<Ray> some_rays(MeshView mesh, std::size_t count) {
+    std::vector<Ray> rays;
+    for (std::uint64_t seed = 0; seed < count; ++seed) rays.push_back(random_ray(mesh, seed));
+    return rays;
+}
+
+std::vector<bool> any_hits(const Scene& scene, const std::vector<Ray>& rays,
+                           const BatchOptions& options = {}) {
+    const auto found = std::make_unique<bool[]>(rays.size());
+    scene.any_hits(rays, {found.get(), rays.size()}, options);
+    return std::vector<bool>(found.get(), found.get() + rays.size());
+}
+
+TEST(SceneBatch, answers_are_those_of_brute_force_in_order_for_any_count_and_threads) {
+    const TriangleMesh mesh = generate_soup(300);
+    const Scene scene({mesh});
+    for (const std::size_t count : {0, 1, 2, 255, 256, 257, 3000}) {
+        const std::vector<Ray> rays = some_rays(mesh, count);
+        std::vector<std::optional<Hit>> expected;
+        for (const Ray& ray : rays) expected.push_back(closest_hit_brute_force(mesh, ray));
+        for (const std::size_t threads : {1, 2, 5}) {
+            const ThreadLimit limit(threads);
+            for (const bool here : {false, true}) {
+                std::vector<Hit> hits(count, Hit{.t = -1, .triangle = 7, .mesh = 9});
+                scene.closest_hits(rays, hits, {.on_this_thread = here});
+                const std::vector<bool> any = any_hits(scene, rays, {.on_this_thread = here});
+                for (std::size_t i = 0; i < count; ++i) {
+                    ASSERT_EQ(hits[i].is_hit(), expected[i].has_value()) << i;
+                    ASSERT_TRUE(are_identical(hits[i], expected[i].value_or(Hit{}))) << i;
+                    ASSERT_EQ(any[i], expected[i].has_value()) << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(SceneBatch, scene_of_nothing_is_never_hit) {
+    const Scene scene({});
+    const std::vector<Ray> rays(5);
+    std::vector<Hit> hits(5, Hit{.t = 1, .triangle = 7, .mesh = 9});
+    scene.closest_hits(rays, hits);
+    for (const Hit& hit : hits) EXPECT_TRUE(are_identical(hit, Hit{}));
+    EXPECT_EQ(any_hits(scene, rays), std::vector<bool>(5, false));
+}
+
+TEST(SceneBatch, sizes_that_differ_are_refused) {
+    const Scene scene({});
+    const std::vector<Ray> rays(5);
+    for (const std::size_t count : {0, 4, 6}) {
+        std::vector<Hit> hits(count);
+        const auto any = std::make_unique<bool[]>(count);
+        EXPECT_THROW(scene.closest_hits(rays, hits), InvalidInput) << count;
+        EXPECT_THROW(scene.any_hits(rays, {any.get(), count}), InvalidInput) << count;
+    }
+}
+
+TEST(SceneBatch, can_be_watched_and_cancelled) {
+    const TriangleMesh mesh = generate_icosphere(100);
+    const Scene scene({mesh});
+    const std::vector<Ray> rays = some_rays(mesh, 10'000);
+    std::vector<Hit> hits(rays.size());
+    std::vector<double> parts;
+    scene.closest_hits(rays, hits, {.progress = [&](double part) { parts.push_back(part); }});
+    EXPECT_GT(parts.size(), 1u);
+    EXPECT_EQ(parts.back(), 1);
+
+    Cancellation cancellation;
+    const BatchOptions options = {.progress = [&](double) { cancellation.request(); },
+                                  .cancellation = &cancellation};
+    EXPECT_THROW(scene.closest_hits(rays, hits, options), Cancelled);
+    EXPECT_THROW(any_hits(scene, rays, options), Cancelled);
+}
+
+}  // namespace
+}  // namespace boxwood
