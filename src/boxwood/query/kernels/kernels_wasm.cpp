@@ -7,8 +7,10 @@
 namespace boxwood {
 
 const RayKernels& wasm_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Wasm>, any_hit<Wasm>, closest_hits<Wasm>,
-                                            any_hits<Wasm>, walk_candidates<Wasm>};
+    static constexpr RayKernels kKernels = {closest_hit<Wasm>,     any_hit<Wasm>,
+                                            closest_hits<Wasm>,    any_hits<Wasm>,
+                                            walk_candidates<Wasm>, walk_near_triangles<Wasm>,
+                                            walk_overlaps<Wasm>};
     return kKernels;
 }
 
