@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boxwood/query/kernels/node_ray.h"
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
@@ -21,6 +22,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
     const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
+    TriangleBlock<N> room;
     int size = 0;
     WideReference current = 0;
     for (;;) {
@@ -39,7 +41,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
                 }
                 continue;
             }
-        } else if (intersect<S>(tree.block<N>(current), block_ray, t_max).mask != 0) {
+        } else if (intersect<S>(block_at<N>(tree, current, room), block_ray, t_max).mask != 0) {
             return true;
         }
         if (size == 0) return false;

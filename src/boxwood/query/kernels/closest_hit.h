@@ -84,13 +84,14 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexce
         setup.set<typename S::Quad>(ray, tree);
         const NodeRay<S> node_ray(setup);
         const BlockRay<S> block_ray(setup);
+        TriangleBlock<S::kWidth> room;
         walk<S>(tree, setup, node_ray, closest.t, [&](WideReference reference) {
-            const auto& block = tree.block<S::kWidth>(reference);
+            const auto& block = block_at<S::kWidth>(tree, reference, room);
             const BlockHit<S> hit = intersect<S>(block, block_ray, S::broadcast(closest.t));
-            if (hit.mask != 0) closest.offer(block, hit);
+            if (hit.mask != 0) closest.offer(block, reference, hit);
         });
     }
-    closest.write(result);
+    closest.write(tree, result);
 }
 
 }  // namespace boxwood
