@@ -7,8 +7,10 @@
 namespace boxwood {
 
 const RayKernels& neon_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Neon>, any_hit<Neon>, closest_hits<Neon>,
-                                            any_hits<Neon>, walk_candidates<Neon>};
+    static constexpr RayKernels kKernels = {closest_hit<Neon>,        any_hit<Neon>,
+                                            closest_hits<Neon>,       any_hits<Neon>,
+                                            walk_candidates<Neon>,    closest_hit<Neon, WideCounts>,
+                                            any_hit<Neon, WideCounts>};
     return kKernels;
 }
 

@@ -7,8 +7,10 @@
 namespace boxwood {
 
 const RayKernels& wasm_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Wasm>, any_hit<Wasm>, closest_hits<Wasm>,
-                                            any_hits<Wasm>, walk_candidates<Wasm>};
+    static constexpr RayKernels kKernels = {closest_hit<Wasm>,        any_hit<Wasm>,
+                                            closest_hits<Wasm>,       any_hits<Wasm>,
+                                            walk_candidates<Wasm>,    closest_hit<Wasm, WideCounts>,
+                                            any_hit<Wasm, WideCounts>};
     return kKernels;
 }
 

@@ -5,6 +5,7 @@
 
 #include "boxwood/core/simd.h"
 #include "boxwood/query/rayf.h"
+#include "boxwood/query/wide_counts.h"
 #include "boxwood/query/wide_node.h"
 
 namespace boxwood {
@@ -26,6 +27,9 @@ struct RayKernels {
                      std::size_t count) noexcept;
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
                             const CandidateVisitor& visitor) noexcept;
+    void (*closest_hit_counted)(const WideTreeView& tree, const Rayf& ray, Hitf& result,
+                                WideCounts& counts) noexcept;
+    bool (*any_hit_counted)(const WideTreeView& tree, const Rayf& ray, WideCounts& counts) noexcept;
 };
 
 // One of these a source file, compiled for that instruction set alone.
