@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "peers/boxwood.h"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "boxwood/core/parallel.h"
+#include "boxwood/query/closest_point.h"
+#include "boxwood/query/signed_distance.h"
 #include "boxwood/query/wide_hits.h"
 #include "boxwood/scene/build_wide_tree.h"
 
@@ -23,14 +29,14 @@ public:
     void build(const PlainMesh& mesh, Quality quality) override {
         const ThreadLimit limit(static_cast<std::size_t>(threads_));
         // The library takes vertices in double.
-        std::vector<Vec3d> vertices(mesh.vertex_count());
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            vertices[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
+        vertices_.resize(mesh.vertex_count());
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            vertices_[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
         const std::span faces(reinterpret_cast<const Vec3i*>(mesh.faces.data()), mesh.face_count());
+        mesh_ = {vertices_, faces};
         constexpr BuildPreset kPresets[] = {BuildPreset::fast, BuildPreset::balanced,
                                             BuildPreset::best};
-        tree_ = build_wide_tree(MeshView{vertices, faces},
-                                {.preset = kPresets[static_cast<int>(quality)]});
+        tree_ = build_wide_tree(mesh_, {.preset = kPresets[static_cast<int>(quality)]});
     }
 
     std::size_t bytes() const override { return tree_.bytes(); }
@@ -58,8 +64,54 @@ public:
         }
     }
 
+    bool tells_distances() const override { return true; }
+
+    void nearest(Mode mode, bool signs, std::span<const PlainPoint> points,
+                 PlainNearest* results) override {
+        const ThreadLimit one(1);
+        if (signs && !sign_) sign_.emplace(mesh_);
+        const std::span<const Vec3d> at(reinterpret_cast<const Vec3d*>(points.data()),
+                                        points.size());
+        // In pieces, as somebody with this many points might have them.
+        constexpr std::size_t kPiece = std::size_t{1} << 17;
+        for (std::size_t begin = 0; begin < at.size(); begin += kPiece) {
+            const auto piece = at.subspan(begin, std::min(kPiece, at.size() - begin));
+            const auto write = [&](std::size_t i, const ClosestPoint& closest, double distance) {
+                results[begin + i] = {{closest.point.x(), closest.point.y(), closest.point.z()},
+                                      distance,
+                                      closest.triangle};
+            };
+            if (mode != Mode::batch) {
+                for (std::size_t i = 0; i < piece.size(); ++i) {
+                    if (signs) {
+                        const auto found = signed_distance(mesh_, tree_, *sign_, piece[i]);
+                        write(i, found->closest, found->distance);
+                    } else {
+                        const auto found = closest_point(mesh_, tree_, piece[i]);
+                        write(i, *found, found->distance);
+                    }
+                }
+            } else if (signs) {
+                signed_.resize(piece.size());
+                signed_distances(mesh_, tree_, *sign_, piece, signed_);
+                for (std::size_t i = 0; i < piece.size(); ++i)
+                    write(i, signed_[i].closest, signed_[i].distance);
+            } else {
+                closest_.resize(piece.size());
+                closest_points(mesh_, tree_, piece, closest_);
+                for (std::size_t i = 0; i < piece.size(); ++i)
+                    write(i, closest_[i], closest_[i].distance);
+            }
+        }
+    }
+
 private:
     int threads_;
+    std::vector<Vec3d> vertices_;
+    MeshView mesh_;
+    std::optional<MeshSign> sign_;
+    std::vector<ClosestPoint> closest_;
+    std::vector<SignedDistance> signed_;
     WideTree tree_;
 };
 

@@ -34,6 +34,7 @@ public:
             triangles_.emplace_back(corner(i), corner(i + 1), corner(i + 2));
         tree_.insert(triangles_.begin(), triangles_.end());
         tree_.build();
+        tree_.accelerate_distance_queries();
     }
 
     /// Its rays have no far end, and none of ours has one either.
@@ -62,7 +63,34 @@ public:
         }
     }
 
+    bool tells_distances() const override { return true; }
+
+    /// It has no signs of its own for triangles without a common mesh: an odd number of crossings
+    /// is inside.
+    void nearest(Mode, bool signs, std::span<const PlainPoint> points,
+                 PlainNearest* results) override {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Kernel::Point_3 point(points[i].x, points[i].y, points[i].z);
+            const auto [place, triangle] = tree_.closest_point_and_primitive(point);
+            double distance = std::sqrt(CGAL::squared_distance(point, place));
+            if (signs && is_inside(point)) distance = -distance;
+            results[i] = {{place.x(), place.y(), place.z()},
+                          distance,
+                          static_cast<std::uint32_t>(triangle - triangles_.begin())};
+        }
+    }
+
 private:
+    bool is_inside(const Kernel::Point_3& point) const {
+        const CGAL::Bbox_3 box = tree_.bbox();
+        const bool outside = point.x() < box.xmin() || point.x() > box.xmax() ||
+                             point.y() < box.ymin() || point.y() > box.ymax() ||
+                             point.z() < box.zmin() || point.z() > box.zmax();
+        if (outside) return false;
+        const Kernel::Ray_3 ray(point, Kernel::Vector_3(0.0123, 0.0241, 1));
+        return tree_.number_of_intersected_primitives(ray) % 2 == 1;
+    }
+
     PlainHit hit_at(const PlainRay& ray, const Kernel::Point_3& point,
                     Triangles::const_iterator triangle) const {
         const Kernel::Vector_3 direction = direction_of(ray);

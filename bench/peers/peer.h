@@ -29,6 +29,18 @@ struct PlainHit {
 
 static_assert(sizeof(PlainRay) == 32 && sizeof(PlainHit) == 32);
 
+/// A point that the nearest one of a mesh is asked for.
+struct PlainPoint {
+    double x, y, z;
+};
+
+/// The nearest point, and how far it is: with signs, negative inside the mesh.
+struct PlainNearest {
+    PlainPoint point;
+    double distance;
+    std::uint32_t triangle;
+};
+
 inline constexpr std::uint32_t kNoTriangle = std::numeric_limits<std::uint32_t>::max();
 
 /// Three floats a vertex, three indices a face. Sixteen bytes after the last vertex may be read.
@@ -66,6 +78,11 @@ public:
     virtual void closest_hits(Mode mode, std::span<const PlainRay> rays, PlainHit* hits) const = 0;
     /// Writes 1 for a ray that hits anything, else 0.
     virtual void any_hits(Mode mode, std::span<const PlainRay> rays, std::uint8_t* hits) const = 0;
+
+    /// Whether it tells distances; else what follows isn't called.
+    virtual bool tells_distances() const { return false; }
+    /// With signs, distances are negative inside: the first call for them may prepare that.
+    virtual void nearest(Mode, bool /*signs*/, std::span<const PlainPoint>, PlainNearest*) {}
 };
 
 /// A library, held to one instruction set where it has several.

@@ -504,6 +504,23 @@ TEST_P(Simd, selects_and_stores_by_every_mask) {
     }
 }
 
+TEST_P(Simd, takes_square_roots_rounded_once) {
+    Floats out;
+    const auto check = [&](const Floats& a) {
+        simd.sqrt(a, out);
+        // The double root of a float rounds to the float that is nearest to the exact one.
+        return all_are(out, width, [&](int i) {
+            return static_cast<float>(std::sqrt(static_cast<double>(a[i])));
+        });
+    };
+    for (const float x : nasty_floats()) {
+        Floats a = numbers.lanes();
+        a[0] = x;
+        EXPECT_TRUE(check(a)) << text(x);
+    }
+    for (int round = 0; round < 1000; ++round) ASSERT_TRUE(check(numbers.lanes()));
+}
+
 TEST_P(Simd, finds_the_greatest_lane_and_the_least_of_every_mask) {
     for (int round = 0; round < 20; ++round) {
         const Floats a = numbers.lanes();

@@ -24,6 +24,7 @@ struct Vocabulary {
     Binary add, subtract, multiply, divide;
     Unary negate;
     Binary min, max;
+    Unary sqrt;
     Unary quad_abs;
     Binary quad_copy_sign;
     unsigned (*quad_signs)(const float* a);
@@ -76,6 +77,7 @@ constexpr Vocabulary vocabulary_of() {
                   float* out) { S::store(out, S::min(S::load(a), S::load(b))); },
         .max = [](const float* a, const float* b,
                   float* out) { S::store(out, S::max(S::load(a), S::load(b))); },
+        .sqrt = [](const float* a, float* out) { S::store(out, S::sqrt(S::load(a))); },
         .quad_abs = [](const float* a, float* out) { Q::store(out, Q::abs(Q::load(a))); },
         .quad_copy_sign = [](const float* a, const float* b,
                              float* out) { Q::store(out, Q::copy_sign(Q::load(a), Q::load(b))); },

@@ -11,7 +11,7 @@
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/wide_hits.h"
-#include "laws/accelerators.h"
+#include "laws/all_trees.h"
 #include "laws/float_oracle.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -43,24 +43,6 @@ std::string text(const std::optional<Hitf>& hit) {
     out << "t " << hit->t << " u " << hit->u << " v " << hit->v << " triangle " << hit->triangle
         << " normal " << hit->normal[0] << " " << hit->normal[1] << " " << hit->normal[2];
     return out.str();
-}
-
-struct NamedTree {
-    std::string name;
-    WideTree tree;
-};
-
-/// Over every builder with every instruction set.
-std::vector<NamedTree> all_trees(const TriangleMesh& mesh) {
-    std::vector<NamedTree> trees;
-    for (const auto& [name, options] : all_builds()) {
-        const Tree tree = build_tree(mesh, options);
-        for (const auto& [set_name, set] : instruction_sets()) {
-            if (is_supported(set))
-                trees.push_back({name + "/" + std::string(set_name), WideTree(mesh, tree, {set})});
-        }
-    }
-    return trees;
 }
 
 class WideLaws : public testing::TestWithParam<MeshFamily> {};

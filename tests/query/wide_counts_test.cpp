@@ -17,8 +17,10 @@ protected:
         if (!is_supported(GetParam().value)) GTEST_SKIP() << "not on this machine";
     }
 
-    WideTree tree_over(const TriangleMesh& mesh) const {
-        return {mesh, build_tree(mesh, {.method = BuildMethod::median}), {GetParam().value}};
+    WideTree tree_over(const TriangleMesh& mesh, bool compact = false) const {
+        return {mesh,
+                build_tree(mesh, {.method = BuildMethod::median}),
+                {.instruction_set = GetParam().value, .compact = compact}};
     }
 
     std::uint64_t width() const { return lanes(GetParam().value); }
@@ -79,6 +81,21 @@ TEST_P(WideCounting, one_triangle_is_one_node_one_box_one_block) {
     const WideCounts any = any_counts(tree, along_x(0.25f));
     expect_counts(any, 1, 1, 1, 1);
     EXPECT_EQ(any.lines, lines(7) + lines(9));
+}
+
+TEST_P(WideCounting, a_compact_block_is_read_up_to_its_last_vertex) {
+    TriangleMesh mesh;
+    add_triangle(mesh, 0);
+    const WideTree tree = tree_over(mesh, true);
+    const std::uint64_t kVertices = 4;  // those of the triangle and the one of empty slots
+    const std::uint64_t bytes = 7 * width() + 12 * kVertices;
+    for (const float yz : {0.25f, 0.75f}) {
+        for (const WideCounts& counts :
+             {closest_counts(tree, along_x(yz)), any_counts(tree, along_x(yz))}) {
+            expect_counts(counts, 1, 1, 1, 1);
+            EXPECT_EQ(counts.lines, lines(7) + (bytes + 63) / 64);
+        }
+    }
 }
 
 TEST_P(WideCounting, a_ray_past_the_bounds_sees_the_boxes_of_the_root) {

@@ -10,6 +10,7 @@
 //   min(a, b), max(a, b)          lane by lane; b where a is NaN, one of them where b is; of 0 and
 //   -0
 //                                 either, here and below
+//   sqrt(x)                       rounded once, as by the standard; NaN below 0
 //   multiply_add(a, b, c)         a b + c, rounded once or twice as the machine likes
 //   fused(a, b, c)                a b + c rounded once, the same on every machine; emulated unless
 //                                 kFastFused

@@ -37,6 +37,7 @@ struct Avx2 {
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm256_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm256_max_ps(a, b); }
+    static BOXWOOD_KERNEL Float sqrt(Float x) { return _mm256_sqrt_ps(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return fused(a, b, c); }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
         return _mm256_fmadd_ps(a, b, c);

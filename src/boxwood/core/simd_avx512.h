@@ -34,6 +34,7 @@ struct Avx512 {
 
     static BOXWOOD_KERNEL Float min(Float a, Float b) { return _mm512_min_ps(a, b); }
     static BOXWOOD_KERNEL Float max(Float a, Float b) { return _mm512_max_ps(a, b); }
+    static BOXWOOD_KERNEL Float sqrt(Float x) { return _mm512_sqrt_ps(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return fused(a, b, c); }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
         return _mm512_fmadd_ps(a, b, c);

@@ -40,6 +40,7 @@ struct Neon {
     static BOXWOOD_KERNEL unsigned signs(Float x) {
         return bits(vcltzq_s32(vreinterpretq_s32_f32(x)));
     }
+    static BOXWOOD_KERNEL Float sqrt(Float x) { return vsqrtq_f32(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return fused(a, b, c); }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) { return vfmaq_f32(c, a, b); }
 

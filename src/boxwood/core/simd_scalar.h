@@ -83,6 +83,9 @@ struct Scalar {
     static unsigned signs(const Float& x) {
         return bits([&](int i) { return std::signbit(x.lane[i]); });
     }
+    static Float sqrt(const Float& x) {
+        return Float::map([&](int i) { return __builtin_sqrtf(x.lane[i]); });
+    }
     static Float multiply_add(const Float& a, const Float& b, const Float& c) { return a * b + c; }
     static Float fused(const Float& a, const Float& b, const Float& c) {
         // Not std::fma: some C libraries round it wrongly, musl's without rounding modes to set.

@@ -49,6 +49,7 @@ struct Sse4 {
         return max(max(xxxx, y), z);
     }
     static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(x); }
+    static BOXWOOD_KERNEL Float sqrt(Float x) { return _mm_sqrt_ps(x); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
         const __m128d low = fused_to_odd(_mm_cvtps_pd(a), _mm_cvtps_pd(b), _mm_cvtps_pd(c));

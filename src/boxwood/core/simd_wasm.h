@@ -47,6 +47,7 @@ struct Wasm {
                    wasm_i32x4_shuffle(x, x, 2, 2, 2, 2));
     }
     static BOXWOOD_KERNEL unsigned signs(Float x) { return bits(bytes(x)); }
+    static BOXWOOD_KERNEL Float sqrt(Float x) { return floats(wasm_f32x4_sqrt(bytes(x))); }
     static BOXWOOD_KERNEL Float multiply_add(Float a, Float b, Float c) { return a * b + c; }
     static BOXWOOD_KERNEL Float fused(Float a, Float b, Float c) {
         const Int low = to_float(fused_to_odd(lower(a), lower(b), lower(c)));

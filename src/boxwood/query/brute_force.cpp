@@ -3,7 +3,9 @@
 // for everything else. Explained in docs/algorithms/brute_force.md.
 #include "boxwood/query/brute_force.h"
 
+#include "boxwood/query/mesh_point.h"
 #include "boxwood/query/mesh_ray.h"
+#include "boxwood/query/solid_angle.h"
 
 namespace boxwood {
 
@@ -27,6 +29,57 @@ bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept {
         if (mesh_ray.intersect(i, ray.t_max)) return true;
     }
     return false;
+}
+
+std::optional<ClosestPoint> closest_point_brute_force(MeshView mesh, const Vec3d& point,
+                                                      double max_radius) noexcept {
+    if (!is_near_anything(point, max_radius)) return std::nullopt;
+    MeshPoint mesh_point(mesh, point, max_radius);
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty()) mesh_point.offer(i);
+    }
+    const ClosestPoint closest = mesh_point.closest();
+    if (!closest.is_found()) return std::nullopt;
+    return closest;
+}
+
+std::vector<std::uint32_t> box_overlap_brute_force(MeshView mesh, const Box3d& box) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() && overlap(box, corners_of(mesh, i)))
+            found.push_back(i);
+    }
+    return found;
+}
+
+std::vector<std::uint32_t> sphere_overlap_brute_force(MeshView mesh, const Sphere3d& sphere) {
+    std::vector<std::uint32_t> found;
+    if (!is_near_anything(sphere.center, sphere.radius)) return found;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() &&
+            distance_to(mesh, i, sphere.center) <= sphere.radius)
+            found.push_back(i);
+    }
+    return found;
+}
+
+bool triangle_overlap_brute_force(MeshView mesh, const TriangleCorners& triangle) noexcept {
+    if (!can_overlap(triangle)) return false;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty() && overlap(triangle, corners_of(mesh, i)))
+            return true;
+    }
+    return false;
+}
+
+double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept {
+    if (!point.allFinite()) return 0;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        if (!triangle_box(mesh, i).is_empty())
+            sum += solid_angle(point, mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2));
+    }
+    return sum;
 }
 
 }  // namespace boxwood

@@ -5,6 +5,8 @@
 
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/closest_point.h"
+#include "boxwood/query/overlaps.h"
 #include "boxwood/query/traverse.h"
 
 namespace boxwood {
@@ -16,5 +18,20 @@ std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
 
 /// The answer of any_hit(), by testing triangles until one is hit. O(n).
 bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept;
+
+/// The answer of closest_point(), by measuring the distance to every triangle. O(n).
+std::optional<ClosestPoint> closest_point_brute_force(
+    MeshView mesh, const Vec3d& point,
+    double max_radius = std::numeric_limits<double>::infinity()) noexcept;
+
+/// The answer of winding_number() but for its errors, by summing up the solid angles of all
+/// triangles. O(n).
+double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept;
+
+/// The answers of box_overlap(), sphere_overlap() and triangle_overlap(), by testing every
+/// triangle.
+std::vector<std::uint32_t> box_overlap_brute_force(MeshView mesh, const Box3d& box);
+std::vector<std::uint32_t> sphere_overlap_brute_force(MeshView mesh, const Sphere3d& sphere);
+bool triangle_overlap_brute_force(MeshView mesh, const TriangleCorners& triangle) noexcept;
 
 }  // namespace boxwood

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/wide_node.h"
+#include "boxwood/query/write_block.h"
 #include "boxwood/tree/bound_depth.h"
 
 namespace boxwood {
@@ -48,10 +48,11 @@ constexpr int kTaskDepth = 8;
 template <int N>
 class Collapser {
 public:
-    Collapser(MeshView mesh, const Tree& tree, float scale)
+    Collapser(MeshView mesh, const Tree& tree, float scale, bool compact)
         : mesh_(mesh),
           tree_(tree),
           scale_(scale),
+          compact_(compact),
           plans_(new Plan[tree.nodes.size()]),
           rows_(new Row[tree.nodes.size()]) {
         const double area = tree.root().box.surface_area();
@@ -80,8 +81,8 @@ private:
 
     struct Plan {
         std::uint32_t count;    ///< triangles
-        std::uint32_t units;    ///< of memory, where it becomes a node
-        int stack_size;         ///< likewise
+        std::uint32_t units;    ///< of memory, where it becomes a node or a compact leaf
+        int stack_size;         ///< where it becomes a node
         std::uint8_t children;  ///< likewise
         std::uint8_t places;    ///< that it can use at most
         bool is_leaf;
@@ -226,7 +227,14 @@ private:
         plans_[index].children = static_cast<std::uint8_t>(found.count);
         for_each_child(index, [&](std::size_t i) {
             const std::uint32_t child = found.node[i];
-            if (!plans_[child].is_leaf) measure(child);
+            if (!plans_[child].is_leaf) {
+                measure(child);
+            } else if (compact_) {
+                BlockTriangles<N> triangles;
+                gather(child, triangles);
+                triangles.sort();
+                plans_[child].units = units(compact_block_bytes(mesh_, triangles));
+            }
         });
         std::size_t bytes = sizeof(WideNode<N>);
         int deepest = 0;
@@ -243,8 +251,8 @@ private:
     }
 
     std::size_t bytes_of(std::uint32_t child) const {
-        return plans_[child].is_leaf ? sizeof(TriangleBlock<N>)
-                                     : plans_[child].units * kReferenceUnit;
+        return plans_[child].is_leaf && !compact_ ? sizeof(TriangleBlock<N>)
+                                                  : plans_[child].units * kReferenceUnit;
     }
 
     void emit(std::uint32_t index, std::uint32_t place) {
@@ -261,14 +269,33 @@ private:
         }
         write_boxes(index, *node);
         write_order(index, *node);
+        emit_blocks(index, *node);
         for_each_child(index, [&](std::size_t i) {
             const std::uint32_t child = children(index)[i];
-            if (plans_[child].is_leaf) {
-                emit_block(child, node->child[i]);
-            } else {
-                emit(child, node->child[i]);
-            }
+            if (!plans_[child].is_leaf) emit(child, node->child[i]);
         });
+    }
+
+    void emit_blocks(std::uint32_t index, const WideNode<N>& node) const {
+        std::array<BlockTriangles<N>, N> blocks;
+        std::array<WideReference, N> places;
+        int count = 0;
+        for (std::size_t i = 0; i < children(index).size(); ++i) {
+            if (!is_leaf(node.child[i])) continue;
+            gather(children(index)[i], blocks[count]);
+            blocks[count].fetch_faces(mesh_);
+            places[count++] = node.child[i];
+        }
+        for (int i = 0; i < count; ++i) {
+            if (i + 1 < count) blocks[i + 1].fetch_vertices(mesh_);
+            blocks[i].sort();
+            std::byte* place = memory_ + byte_offset(places[i]);
+            if (compact_) {
+                write_compact_block(mesh_, scale_, blocks[i], *new (place) CompactBlock<N>);
+            } else {
+                write_block(mesh_, scale_, blocks[i], *new (place) TriangleBlock<N>);
+            }
+        }
     }
 
     void write_boxes(std::uint32_t index, WideNode<N>& node) const {
@@ -307,57 +334,22 @@ private:
         }
     }
 
-    void emit_block(std::uint32_t index, WideReference place) const {
-        std::array<std::uint32_t, N> triangles;
-        int count = 0;
-        gather(index, triangles, count);
-
-        constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-        auto* block = new (memory_ + byte_offset(place)) TriangleBlock<N>;
-        std::fill_n(&block->corner[0][0][0], 9 * N, kNaN);
-        std::fill_n(block->triangle, N, std::numeric_limits<std::uint32_t>::max());
-        for (int i = 0; i < count; ++i) {
-            if (!is_in_float_range(triangles[i])) continue;
-            block->triangle[i] = triangles[i];
-            for (int corner = 0; corner < 3; ++corner) {
-                const Vec3d& p = mesh_.corner(triangles[i], corner);
-                for (int k = 0; k < 3; ++k)
-                    block->corner[corner][k][i] = static_cast<float>(scale_ * p[k]);
-            }
-        }
-    }
-
-    /// The triangles below, each once, by their index.
-    void gather(std::uint32_t index, std::array<std::uint32_t, N>& triangles, int& count) const {
+    /// The triangles below, as they come.
+    void gather(std::uint32_t index, BlockTriangles<N>& triangles) const {
         const Node& node = tree_.nodes[index];
-        if (!node.is_leaf()) {
-            gather(node.left(), triangles, count);
-            gather(node.right(), triangles, count);
-            return;
+        if (node.is_leaf()) {
+            for (const std::uint32_t triangle : tree_.primitives(node))
+                triangles.index[triangles.count++] = triangle;
+        } else {
+            gather(node.left(), triangles);
+            gather(node.right(), triangles);
         }
-        for (const std::uint32_t triangle : tree_.primitives(node)) {
-            int place = count;
-            while (place > 0 && triangles[place - 1] > triangle) --place;
-            if (place > 0 && triangles[place - 1] == triangle) continue;
-            std::copy_backward(triangles.begin() + place, triangles.begin() + count,
-                               triangles.begin() + count + 1);
-            triangles[place] = triangle;
-            ++count;
-        }
-    }
-
-    bool is_in_float_range(std::uint32_t triangle) const {
-        bool inside = true;
-        for (int corner = 0; corner < 3; ++corner) {
-            const Vec3d& p = mesh_.corner(triangle, corner);
-            for (int k = 0; k < 3; ++k) inside &= std::abs(p[k]) <= FLT_MAX;
-        }
-        return inside;
     }
 
     MeshView mesh_;
     const Tree& tree_;
     float scale_;
+    bool compact_;
     std::unique_ptr<Plan[]> plans_;
     std::unique_ptr<Row[]> rows_;
     double inverse_area_;
@@ -365,23 +357,23 @@ private:
 };
 
 template <int N>
-Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale) {
-    if (auto result = Collapser<N>(mesh, tree, scale).run()) return std::move(*result);
+Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale, bool compact) {
+    if (auto result = Collapser<N>(mesh, tree, scale, compact).run()) return std::move(*result);
     const Tree flatter = bound_depth(tree, kDeepest - 32);
-    return std::move(*Collapser<N>(mesh, flatter, scale).run());
+    return std::move(*Collapser<N>(mesh, flatter, scale, compact).run());
 }
 
 }  // namespace
 
-Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale) {
+Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact) {
     if (tree.is_empty()) return {};
     switch (width) {
         case 16:
-            return collapse_to<16>(mesh, tree, scale);
+            return collapse_to<16>(mesh, tree, scale, compact);
         case 8:
-            return collapse_to<8>(mesh, tree, scale);
+            return collapse_to<8>(mesh, tree, scale, compact);
         default:
-            return collapse_to<4>(mesh, tree, scale);
+            return collapse_to<4>(mesh, tree, scale, compact);
     }
 }
 

@@ -14,8 +14,9 @@ struct WideCounts {
     std::uint64_t triangles = 0;  ///< tested: those in the blocks, without empty slots
     /// 64 bytes of the tree each, of which a visit reads something: of a node the boxes, the
     /// children if any is hit, their order if it is asked for; of a block the corners, and the
-    /// indices if the closest hit may be there. Counted a visit, so a line that two visits share,
-    /// as they can where the width is 4, counts twice. The ray's own memory doesn't count.
+    /// indices if the closest hit may be there; of a compact block all. Counted a visit, so a line
+    /// that two visits share, as they can where the width is 4, or 8 in a compact tree, counts
+    /// twice. The ray's own memory doesn't count.
     std::uint64_t lines = 0;
 };
 

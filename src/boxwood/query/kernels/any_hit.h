@@ -5,6 +5,7 @@
 
 #include "boxwood/query/kernels/counting.h"
 #include "boxwood/query/kernels/node_ray.h"
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
@@ -22,6 +23,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexc
     const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
+    TriangleBlock<N> room;
     int size = 0;
     WideReference current = 0;
     for (;;) {
@@ -42,9 +44,9 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexc
                 continue;
             }
         } else {
-            const TriangleBlock<N>& block = tree.block<N>(current);
-            count_block(block, false, counts...);
-            if (intersect<S>(block, block_ray, t_max).mask != 0) return true;
+            count_block<N>(tree, current, false, counts...);
+            if (intersect<S>(block_at<N>(tree, current, room), block_ray, t_max).mask != 0)
+                return true;
         }
         if (size == 0) return false;
         current = references[--size];

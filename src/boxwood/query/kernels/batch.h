@@ -5,7 +5,9 @@
 #include "boxwood/query/kernels/any_hit.h"
 #include "boxwood/query/kernels/candidates.h"
 #include "boxwood/query/kernels/closest_hit.h"
+#include "boxwood/query/kernels/closest_point.h"
 #include "boxwood/query/kernels/frustum.h"
+#include "boxwood/query/kernels/overlaps.h"
 #include "boxwood/query/kernels/wavefront.h"
 
 namespace boxwood {

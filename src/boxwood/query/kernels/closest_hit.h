@@ -88,15 +88,16 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result,
         setup.set<typename S::Quad>(ray, tree);
         const NodeRay<S> node_ray(setup);
         const BlockRay<S> block_ray(setup);
+        TriangleBlock<S::kWidth> room;
         const auto visit = [&](WideReference reference) {
-            const auto& block = tree.block<S::kWidth>(reference);
+            const auto& block = block_at<S::kWidth>(tree, reference, room);
             const BlockHit<S> hit = intersect<S>(block, block_ray, S::broadcast(closest.t));
-            count_block(block, hit.mask != 0, counts...);
-            if (hit.mask != 0) closest.offer(block, hit);
+            count_block<S::kWidth>(tree, reference, hit.mask != 0, counts...);
+            if (hit.mask != 0) closest.offer(block, reference, hit);
         };
         walk<S>(tree, setup, node_ray, closest.t, visit, counts...);
     }
-    closest.write(result);
+    closest.write(tree, result);
 }
 
 }  // namespace boxwood

@@ -34,16 +34,34 @@ BOXWOOD_KERNEL void count_node(const WideNode<N>& node, bool reads_children, boo
     counts.lines += lines_of(&node, bytes);
 }
 
-/// A visit to a block that reads its corners and, if so, which triangles they are of.
+/// A visit to a block that reads its corners and, if so, which triangles they are of. Compact
+/// blocks are read whole.
 template <int N>
-BOXWOOD_KERNEL void count_block(const TriangleBlock<N>&, bool) {}
+BOXWOOD_KERNEL void count_block(const WideTreeView&, WideReference, bool) {}
 template <int N>
-BOXWOOD_KERNEL void count_block(const TriangleBlock<N>& block, bool reads_indices,
-                                WideCounts& counts) {
+BOXWOOD_KERNEL void count_block(const WideTreeView& tree, WideReference reference,
+                                bool reads_indices, WideCounts& counts) {
+    const std::byte* place = tree.memory + byte_offset(reference);
+    const std::uint32_t* triangles = nullptr;
+    std::size_t bytes = 0;
+    if (tree.is_compact) {
+        const auto& block = *reinterpret_cast<const CompactBlock<N>*>(place);
+        triangles = block.triangle;
+        std::size_t vertices = 0;
+        for (const auto& corners : block.corner) {
+            for (const std::size_t vertex : corners)
+                if (vertex >= vertices) vertices = vertex + 1;
+        }
+        const auto* end = reinterpret_cast<const std::byte*>(block.vertices() + 3 * vertices);
+        bytes = static_cast<std::size_t>(end - place);
+    } else {
+        const auto& block = *reinterpret_cast<const TriangleBlock<N>*>(place);
+        triangles = block.triangle;
+        bytes = reads_indices ? sizeof block : offsetof(TriangleBlock<N>, triangle);
+    }
     ++counts.blocks;
-    for (int i = 0; i < N; ++i) counts.triangles += block.triangle[i] != Hitf::kNone;
-    const std::size_t bytes = reads_indices ? sizeof block : offsetof(TriangleBlock<N>, triangle);
-    counts.lines += lines_of(&block, bytes);
+    for (int i = 0; i < N; ++i) counts.triangles += triangles[i] != Hitf::kNone;
+    counts.lines += lines_of(place, bytes);
 }
 
 }  // namespace boxwood

@@ -10,11 +10,24 @@
 
 namespace boxwood {
 
-/// What walk_candidates() calls with the triangles of a block that the mask names. Returns the
+/// What a walk calls with triangles that can't be left out, those that the mask names. Returns the
 /// distance beyond which nothing is of interest any more; minus infinity ends the walk.
 struct CandidateVisitor {
     void* context;
     float (*visit)(void* context, const std::uint32_t* triangles, unsigned mask) noexcept;
+};
+
+/// A point near which walk_near_triangles() looks for triangles.
+struct PointQuery {
+    float point[3];
+    float margin;    ///< a bound on what rounding of coordinates does to two distances
+    float reach;     ///< a bound on the coordinates of what is seen from the point
+    float farthest;  ///< how near one is known to be, or must be; at most 2^60
+};
+
+/// A box that walk_overlaps() looks for triangles in, rounded outward.
+struct BoxQuery {
+    float lo[3], hi[3];
 };
 
 /// The kernels of one instruction set.
@@ -27,6 +40,13 @@ struct RayKernels {
                      std::size_t count) noexcept;
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
                             const CandidateVisitor& visitor) noexcept;
+    /// Visits each triangle that may be the nearest to the point and no farther than
+    /// query.farthest. A visit returns the distance of the nearest so far.
+    void (*walk_near_triangles)(const WideTreeView& tree, const PointQuery& query,
+                                const CandidateVisitor& visitor) noexcept;
+    /// Visits each triangle that may touch the box, until a visit returns less than 0.
+    void (*walk_overlaps)(const WideTreeView& tree, const BoxQuery& box,
+                          const CandidateVisitor& visitor) noexcept;
     void (*closest_hit_counted)(const WideTreeView& tree, const Rayf& ray, Hitf& result,
                                 WideCounts& counts) noexcept;
     bool (*any_hit_counted)(const WideTreeView& tree, const Rayf& ray, WideCounts& counts) noexcept;
