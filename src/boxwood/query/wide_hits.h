@@ -28,7 +28,7 @@ void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hi
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits);
 
 /// The answers of closest_hit() and any_hit(), adding to the counts what the walk did. These have
-/// kernels of their own, up to 1.2 times as slow, so that nobody else has to ask who counts.
+/// kernels of their own, up to 1.3 times as slow, so that nobody else has to ask who counts.
 void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit, WideCounts& counts) noexcept;
 bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept;
 
