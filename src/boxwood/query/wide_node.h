@@ -38,7 +38,8 @@ struct alignas(4 * N) WideNode {
     std::uint32_t order[N];
 };
 
-/// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners.
+/// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners and the
+/// index Hitf::kNone.
 template <int N>
 struct alignas(4 * N) TriangleBlock {
     float corner[3][3][N];  ///< [a, b, c][x, y, z]
