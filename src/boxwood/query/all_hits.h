@@ -40,7 +40,7 @@ std::size_t first_k_hits(MeshView mesh, const WideTree& tree, const Ray& ray,
 // the sizes differ, Cancelled when options.cancellation asks for it; what is in counts and hits
 // then is of no use.
 
-/// Takes memory for the hits, at the most twice what they need in the end.
+/// While at work it takes two and a quarter times the memory of the lists.
 HitLists all_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
                   const BatchOptions& options = {});
 /// As many counts as rays.

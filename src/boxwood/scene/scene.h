@@ -63,9 +63,9 @@ public:
     /// left.
     std::size_t first_k_hits(const Ray& ray, std::span<Hit> hits) const noexcept;
 
-    /// The same for each ray, as closest_hits() does it; the lists take memory for the hits, at the
-    /// most twice what they need in the end. For first_k_hits() hits has a row of k places for each
-    /// ray, one after another.
+    /// The same for each ray, as closest_hits() does it. Lists take, while at work, two and a
+    /// quarter times the memory that they need in the end. For first_k_hits() hits has a row of k
+    /// places for each ray, one after another.
     HitLists all_hits(std::span<const Ray> rays, const BatchOptions& options = {}) const;
     void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
                     const BatchOptions& options = {}) const;
