@@ -8,6 +8,7 @@
 
 #include "boxwood/core/parallel.h"
 #include "cli/arguments.h"
+#include "cli/bench_counters.h"
 #include "cli/bench_rays.h"
 #include "cli/commands.h"
 #include "cli/stopwatch.h"
@@ -21,6 +22,7 @@ struct BenchArguments {
     std::vector<std::string> builders = {"median", "binned_sah", "balanced"};
     std::string cost = "surface_area";
     std::size_t rays = 100'000;
+    bool counters = false;
     bool json = false;
 };
 
@@ -106,28 +108,53 @@ nlohmann::ordered_json as_json(const std::string& mesh, std::size_t triangles,
     return json;
 }
 
+/// The options of an accelerator, with a warning where its build takes long.
+SceneOptions announced(const std::string& builder, const BenchArguments& arguments,
+                       const TriangleMesh& mesh) {
+    const SceneOptions options = Accelerator{builder, arguments.cost}.scene_options();
+    if (const auto warning = slow_build_warning(mesh.faces.size(), options))
+        fmt::print(stderr, "boxwood: warning: {}\n", *warning);
+    return options;
+}
+
+/// Prints a table; or returns JSON, if that is asked for.
+nlohmann::ordered_json time_rays(const BenchArguments& arguments, const std::string& name,
+                                 const TriangleMesh& mesh, const std::vector<RaySet>& sets) {
+    const ThreadLimit one_core(1);
+    std::vector<Row> rows = {measure("brute", Scene({mesh}, {.brute_force = true}), 0, sets)};
+    for (const std::string& builder : arguments.builders) {
+        const SceneOptions options = announced(builder, arguments, mesh);
+        Stopwatch stopwatch;
+        const Scene scene({mesh}, options);
+        rows.push_back(measure(builder, scene, stopwatch.lap(), sets));
+    }
+    if (arguments.json) return as_json(name, mesh.faces.size(), sets, rows);
+    print_text(name, mesh.faces.size(), sets, rows);
+    return {};
+}
+
+/// Likewise.
+nlohmann::ordered_json count_rays(const BenchArguments& arguments, const std::string& name,
+                                  const TriangleMesh& mesh, const std::vector<RaySet>& sets) {
+    std::vector<CounterRow> rows;
+    for (const std::string& builder : arguments.builders)
+        rows.push_back(
+            count_visits(builder, Scene({mesh}, announced(builder, arguments, mesh)), sets));
+    if (arguments.json) return counters_as_json(name, mesh.faces.size(), rows);
+    print_counters(name, mesh.faces.size(), rows);
+    return {};
+}
+
 void run(const BenchArguments& arguments) {
+    const std::vector<std::string>& builders = arguments.builders;
+    if (arguments.counters && std::count(builders.begin(), builders.end(), "brute") > 0)
+        throw CLI::ValidationError("--counters", "brute force has no tree to visit");
     nlohmann::ordered_json results = nlohmann::ordered_json::array();
     for (const std::string& name : arguments.meshes) {
         const TriangleMesh mesh = load_mesh(name);
-        const Scene helper({mesh});
-        const std::vector<RaySet> sets = make_ray_sets(helper, arguments.rays);
-
-        const ThreadLimit one_core(1);
-        std::vector<Row> rows = {measure("brute", Scene({mesh}, {.brute_force = true}), 0, sets)};
-        for (const std::string& builder : arguments.builders) {
-            const SceneOptions options = Accelerator{builder, arguments.cost}.scene_options();
-            if (const auto warning = slow_build_warning(mesh.faces.size(), options))
-                fmt::print(stderr, "boxwood: warning: {}\n", *warning);
-            Stopwatch stopwatch;
-            const Scene scene({mesh}, options);
-            rows.push_back(measure(builder, scene, stopwatch.lap(), sets));
-        }
-        if (arguments.json) {
-            results.push_back(as_json(name, mesh.faces.size(), sets, rows));
-        } else {
-            print_text(name, mesh.faces.size(), sets, rows);
-        }
+        const std::vector<RaySet> sets = make_ray_sets(Scene({mesh}), arguments.rays);
+        results.push_back(
+            (arguments.counters ? count_rays : time_rays)(arguments, name, mesh, sets));
     }
     if (arguments.json) fmt::print("{}\n", results.dump(2));
 }
@@ -147,8 +174,12 @@ void add_bench(CLI::App& app) {
     command->add_option("--rays", arguments->rays, "rays of each kind")
         ->check(CLI::Range(1, 100'000'000))
         ->capture_default_str();
+    command->add_flag("--counters", arguments->counters,
+                      "print what a ray in float visits on average in place of times");
     command->add_flag("--json", arguments->json, "print JSON");
-    command->footer("Example:\n  boxwood bench gyroid:1k gyroid:10k gyroid:100k gyroid:1M");
+    command->footer(
+        "Example:\n  boxwood bench gyroid:1k gyroid:10k gyroid:100k gyroid:1M\n"
+        "  boxwood bench gyroid:100k --counters --accelerator fast,balanced,best");
     command->callback([arguments] { run(*arguments); });
 }
 

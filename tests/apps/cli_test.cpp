@@ -151,6 +151,31 @@ TEST_F(Cli, bench_compares_builders_with_brute_force) {
     }
 }
 
+TEST_F(Cli, bench_counts_visits_on_demand_the_same_each_time) {
+    const std::string command = "bench icosphere:500 --rays 200 --counters --accelerator fast,best";
+    const Outcome outcome = run(command + " --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(json.size(), 1);
+    ASSERT_EQ(json[0]["accelerators"].size(), 2);
+    EXPECT_EQ(json[0]["accelerators"][1]["name"], "best");
+    for (const auto& accelerator : json[0]["accelerators"]) {
+        for (const char* kind : {"primary", "ambient occlusion", "random"}) {
+            for (const char* query : {"closest_hit", "any_hit"}) {
+                const auto& counts = accelerator["per_ray"][kind][query];
+                EXPECT_GE(counts["nodes"], 1) << accelerator;
+                EXPECT_GE(counts["boxes"], counts["nodes"]) << accelerator;
+                EXPECT_GE(counts["triangles"], counts["blocks"]) << accelerator;
+                EXPECT_GE(counts["lines"], counts["nodes"]) << accelerator;
+            }
+        }
+    }
+    EXPECT_EQ(run(command + " --json").out, outcome.out);
+    const std::string table = run(command).out;
+    for (const char* text : {"boxes", "lines", "ambient occlusion", "any hit"})
+        EXPECT_NE(table.find(text), std::string::npos) << table;
+}
+
 TEST_F(Cli, bad_files_end_with_one_line_and_no_picture) {
     write_scene();
     expect_failure("render missing.json", "missing.json: No such file or directory");
@@ -187,7 +212,8 @@ TEST_F(Cli, wrong_usage_exits_with_2) {
           "render scene.json --integrator magic", "render scene.json --accelerator octree",
           "render scene.json --cost none", "render scene.json --samples 0",
           "render scene.json --threads -1", "render scene.json --unknown", "info", "bench",
-          "info icosphere:20 --accelerator brute", "convert icosphere:20"}) {
+          "info icosphere:20 --accelerator brute",
+          "bench icosphere:20 --counters --accelerator brute", "convert icosphere:20"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << arguments;
         EXPECT_NE(outcome.err, "") << arguments;

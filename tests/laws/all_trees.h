@@ -14,15 +14,20 @@ struct NamedTree {
     WideTree tree;
 };
 
-/// Over every builder with every instruction set.
+/// Over every builder with every instruction set; that of the first one with compact leaves, too.
 inline std::vector<NamedTree> all_trees(const TriangleMesh& mesh) {
     std::vector<NamedTree> trees;
+    const auto add = [&](const std::string& build, const Tree& tree, bool compact) {
+        for (const auto& [set_name, set] : instruction_sets()) {
+            if (!is_supported(set)) continue;
+            trees.push_back({build + "/" + std::string(set_name),
+                             WideTree(mesh, tree, {.instruction_set = set, .compact = compact})});
+        }
+    };
     for (const auto& [name, options] : all_builds()) {
         const Tree tree = build_tree(mesh, options);
-        for (const auto& [set_name, set] : instruction_sets()) {
-            if (is_supported(set))
-                trees.push_back({name + "/" + std::string(set_name), WideTree(mesh, tree, {set})});
-        }
+        if (trees.empty()) add(name + "/compact", tree, true);
+        add(name, tree, false);
     }
     return trees;
 }

@@ -60,6 +60,14 @@ TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
                 << name << ", seed " << seed << "\nfound    " << text(found) << "\nexpected "
                 << text(expected);
             ASSERT_EQ(any_hit(tree, ray), expected.has_value()) << name << ", seed " << seed;
+
+            WideCounts counts;
+            Hitf counted;
+            closest_hit(tree, ray, counted, counts);
+            ASSERT_TRUE(have_same_bits(counted, expected.value_or(Hitf{})))
+                << name << ", seed " << seed << ", counting\nfound    " << text(counted)
+                << "\nexpected " << text(expected);
+            ASSERT_EQ(any_hit(tree, ray, counts), expected.has_value()) << name << seed;
         }
     }
 }

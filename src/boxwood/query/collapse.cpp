@@ -48,10 +48,11 @@ constexpr int kTaskDepth = 8;
 template <int N>
 class Collapser {
 public:
-    Collapser(MeshView mesh, const Tree& tree, float scale)
+    Collapser(MeshView mesh, const Tree& tree, float scale, bool compact)
         : mesh_(mesh),
           tree_(tree),
           scale_(scale),
+          compact_(compact),
           plans_(new Plan[tree.nodes.size()]),
           rows_(new Row[tree.nodes.size()]) {
         const double area = tree.root().box.surface_area();
@@ -80,8 +81,8 @@ private:
 
     struct Plan {
         std::uint32_t count;    ///< triangles
-        std::uint32_t units;    ///< of memory, where it becomes a node
-        int stack_size;         ///< likewise
+        std::uint32_t units;    ///< of memory, where it becomes a node or a compact leaf
+        int stack_size;         ///< where it becomes a node
         std::uint8_t children;  ///< likewise
         std::uint8_t places;    ///< that it can use at most
         bool is_leaf;
@@ -226,7 +227,14 @@ private:
         plans_[index].children = static_cast<std::uint8_t>(found.count);
         for_each_child(index, [&](std::size_t i) {
             const std::uint32_t child = found.node[i];
-            if (!plans_[child].is_leaf) measure(child);
+            if (!plans_[child].is_leaf) {
+                measure(child);
+            } else if (compact_) {
+                BlockTriangles<N> triangles;
+                gather(child, triangles);
+                triangles.sort();
+                plans_[child].units = units(compact_block_bytes(mesh_, triangles));
+            }
         });
         std::size_t bytes = sizeof(WideNode<N>);
         int deepest = 0;
@@ -243,8 +251,8 @@ private:
     }
 
     std::size_t bytes_of(std::uint32_t child) const {
-        return plans_[child].is_leaf ? sizeof(TriangleBlock<N>)
-                                     : plans_[child].units * kReferenceUnit;
+        return plans_[child].is_leaf && !compact_ ? sizeof(TriangleBlock<N>)
+                                                  : plans_[child].units * kReferenceUnit;
     }
 
     void emit(std::uint32_t index, std::uint32_t place) {
@@ -281,8 +289,12 @@ private:
         for (int i = 0; i < count; ++i) {
             if (i + 1 < count) blocks[i + 1].fetch_vertices(mesh_);
             blocks[i].sort();
-            write_block(mesh_, scale_, blocks[i],
-                        *new (memory_ + byte_offset(places[i])) TriangleBlock<N>);
+            std::byte* place = memory_ + byte_offset(places[i]);
+            if (compact_) {
+                write_compact_block(mesh_, scale_, blocks[i], *new (place) CompactBlock<N>);
+            } else {
+                write_block(mesh_, scale_, blocks[i], *new (place) TriangleBlock<N>);
+            }
         }
     }
 
@@ -337,6 +349,7 @@ private:
     MeshView mesh_;
     const Tree& tree_;
     float scale_;
+    bool compact_;
     std::unique_ptr<Plan[]> plans_;
     std::unique_ptr<Row[]> rows_;
     double inverse_area_;
@@ -344,23 +357,23 @@ private:
 };
 
 template <int N>
-Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale) {
-    if (auto result = Collapser<N>(mesh, tree, scale).run()) return std::move(*result);
+Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale, bool compact) {
+    if (auto result = Collapser<N>(mesh, tree, scale, compact).run()) return std::move(*result);
     const Tree flatter = bound_depth(tree, kDeepest - 32);
-    return std::move(*Collapser<N>(mesh, flatter, scale).run());
+    return std::move(*Collapser<N>(mesh, flatter, scale, compact).run());
 }
 
 }  // namespace
 
-Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale) {
+Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact) {
     if (tree.is_empty()) return {};
     switch (width) {
         case 16:
-            return collapse_to<16>(mesh, tree, scale);
+            return collapse_to<16>(mesh, tree, scale, compact);
         case 8:
-            return collapse_to<8>(mesh, tree, scale);
+            return collapse_to<8>(mesh, tree, scale, compact);
         default:
-            return collapse_to<4>(mesh, tree, scale);
+            return collapse_to<4>(mesh, tree, scale, compact);
     }
 }
 

@@ -15,7 +15,7 @@ struct Collapsed {
 };
 
 /// Collapses a binary tree to nodes of 4, 8 or 16 children, with all coordinates multiplied by a
-/// power of two; see WideTree.
-Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale);
+/// power of two, and with compact leaves or not; see WideTree.
+Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact);
 
 }  // namespace boxwood

@@ -54,6 +54,22 @@ bool any_hit(const WideTree& tree, const Rayf& ray) noexcept {
     return kernels.any_hit(tree.view(), scaled(ray, tree.scale()));
 }
 
+void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit, WideCounts& counts) noexcept {
+    if (tree.is_empty()) {
+        hit = {};
+        return;
+    }
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    kernels.closest_hit_counted(tree.view(), scaled(ray, tree.scale()), hit, counts);
+    unscale(hit, tree.scale());
+}
+
+bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept {
+    if (tree.is_empty()) return false;
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    return kernels.any_hit_counted(tree.view(), scaled(ray, tree.scale()), counts);
+}
+
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits) {
     check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "boxwood/query/rayf.h"
+#include "boxwood/query/wide_counts.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
@@ -25,5 +26,10 @@ bool any_hit(const WideTree& tree, const Rayf& ray) noexcept;
 /// rays stand side by side. Throws InvalidInput when the sizes differ.
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits);
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits);
+
+/// The answers of closest_hit() and any_hit(), adding to the counts what the walk did. These have
+/// kernels of their own, up to 1.3 times as slow, so that nobody else has to ask who counts.
+void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit, WideCounts& counts) noexcept;
+bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept;
 
 }  // namespace boxwood

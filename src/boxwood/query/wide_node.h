@@ -38,27 +38,39 @@ struct alignas(4 * N) WideNode {
     std::uint32_t order[N];
 };
 
-/// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners.
+/// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners and the
+/// index Hitf::kNone.
 template <int N>
 struct alignas(4 * N) TriangleBlock {
     float corner[3][3][N];  ///< [a, b, c][x, y, z]
     std::uint32_t triangle[N];
 };
 
+/// A leaf of a compact tree: the same with each vertex once. What is in empty slots is a NaN.
+template <int N>
+struct alignas(4 * N) CompactBlock {
+    std::uint32_t triangle[N];
+    std::uint8_t corner[3][N];  ///< which of the vertices
+    /// Three floats each, from the end of these arrays on.
+    BOXWOOD_KERNEL const float* vertices() const {
+        return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + 7 * N);
+    }
+    BOXWOOD_KERNEL float* vertices() {
+        return reinterpret_cast<float*>(reinterpret_cast<std::byte*>(this) + 7 * N);
+    }
+};
+
 /// A wide tree as kernels see it. The root is at the start of the memory.
 struct WideTreeView {
     const std::byte* memory = nullptr;
     std::size_t bytes = 0;
+    bool is_compact = false;       ///< leaves are compact blocks
     int stack_size = 0;            ///< places that a walk needs at most to remember nodes
     float lo[4] = {}, hi[4] = {};  ///< the bounds; the fourth number is idle
 
     template <int N>
     BOXWOOD_KERNEL const WideNode<N>& node(WideReference reference) const {
         return *reinterpret_cast<const WideNode<N>*>(memory + byte_offset(reference));
-    }
-    template <int N>
-    BOXWOOD_KERNEL const TriangleBlock<N>& block(WideReference reference) const {
-        return *reinterpret_cast<const TriangleBlock<N>*>(memory + byte_offset(reference));
     }
 };
 

@@ -26,11 +26,12 @@ WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& optio
     if (tree.is_empty() || tree.root().box.is_empty()) return;
     bounds_ = tree.root().box;
     scale_ = scale_for(bounds_);
-    Collapsed collapsed = collapse(mesh, tree, width(), scale_);
+    Collapsed collapsed = collapse(mesh, tree, width(), scale_, options.compact);
     memory_ = std::move(collapsed.memory);
     cost_ = collapsed.cost;
     view_.memory = memory_.data();
     view_.bytes = memory_.size();
+    view_.is_compact = options.compact;
     view_.stack_size = collapsed.stack_size;
     for (int k = 0; k < 3; ++k) {
         view_.lo[k] = scale_ * bounds_.lo[k];

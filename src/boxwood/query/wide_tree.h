@@ -15,6 +15,8 @@ namespace boxwood {
 struct WideTreeOptions {
     /// Decides the width, and which kernels walk the tree. Precondition: is_supported().
     InstructionSet instruction_set = preferred_instruction_set();
+    /// Leaves hold each vertex once: half the memory, for rays that take longer.
+    bool compact = false;
 };
 
 /// The fast form of a tree over the triangles of a mesh: nodes with 4, 8 or 16 children, and leaves
@@ -30,6 +32,7 @@ public:
 
     int width() const { return lanes(instruction_set_); }
     InstructionSet instruction_set() const { return instruction_set_; }
+    bool is_compact() const { return view_.is_compact; }
     bool is_empty() const { return memory_.size() == 0; }
     std::size_t bytes() const { return memory_.size(); }
     const Box3f& bounds() const { return bounds_; }

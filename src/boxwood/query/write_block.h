@@ -48,6 +48,17 @@ struct BlockTriangles {
     }
 };
 
+inline bool is_in_float_range(const MeshView& mesh, std::uint32_t triangle) {
+    bool is_in_range = true;
+    for (int corner = 0; corner < 3; ++corner) {
+        const Vec3d& p = mesh.corner(triangle, corner);
+        for (int k = 0; k < 3; ++k) is_in_range &= std::abs(p[k]) <= FLT_MAX;
+    }
+    return is_in_range;
+}
+
+constexpr std::uint32_t kEmptySlot = std::numeric_limits<std::uint32_t>::max();
+
 /// Writes the triangles, multiplied by scale, but for those with a corner that is not finite or
 /// beyond the range of float.
 template <int N>
@@ -55,24 +66,71 @@ void write_block(const MeshView& mesh, float scale, const BlockTriangles<N>& tri
                  TriangleBlock<N>& block) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     if (triangles.count < N) std::fill_n(&block.corner[0][0][0], 9 * N, kNaN);
-    std::fill_n(block.triangle, N, std::numeric_limits<std::uint32_t>::max());
+    std::fill_n(block.triangle, N, kEmptySlot);
     for (int i = 0; i < triangles.count; ++i) {
         const std::uint32_t triangle = triangles.index[i];
-        bool is_in_range = true;
+        const bool is_in_range = is_in_float_range(mesh, triangle);
+        if (is_in_range) block.triangle[i] = triangle;
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3d& p = mesh.corner(triangle, corner);
-            for (int k = 0; k < 3; ++k) {
-                is_in_range &= std::abs(p[k]) <= FLT_MAX;
-                block.corner[corner][k][i] = static_cast<float>(scale * p[k]);
+            for (int k = 0; k < 3; ++k)
+                block.corner[corner][k][i] = is_in_range ? static_cast<float>(scale * p[k]) : kNaN;
+        }
+    }
+}
+
+/// The vertices of a compact block, each once; the first is for empty slots.
+template <int N>
+struct BlockVertices {
+    std::array<std::uint32_t, 3 * N + 1> index;
+    int count = 1;
+
+    BlockVertices(const MeshView& mesh, const BlockTriangles<N>& triangles) {
+        for (int i = 0; i < triangles.count; ++i) {
+            if (!is_in_float_range(mesh, triangles.index[i])) continue;
+            for (const int vertex : mesh.faces[triangles.index[i]]) {
+                if (place_of(vertex) == count) index[count++] = static_cast<std::uint32_t>(vertex);
             }
         }
-        if (is_in_range) {
-            block.triangle[i] = triangle;
-            continue;
-        }
-        for (int corner = 0; corner < 3; ++corner) {
-            for (int k = 0; k < 3; ++k) block.corner[corner][k][i] = kNaN;
-        }
+    }
+
+    /// The number of vertices when it isn't there.
+    int place_of(int vertex) const {
+        int place = 1;
+        while (place < count && index[place] != static_cast<std::uint32_t>(vertex)) ++place;
+        return place;
+    }
+};
+
+/// As places and the alignment of nodes have it.
+template <int N>
+std::size_t compact_block_bytes(const MeshView& mesh, const BlockTriangles<N>& triangles) {
+    const auto count = static_cast<std::size_t>(BlockVertices<N>(mesh, triangles).count);
+    const std::size_t bytes = 7 * N + 3 * sizeof(float) * count;
+    constexpr std::size_t kUnit = std::max(kReferenceUnit, alignof(WideNode<N>));
+    return (bytes + kUnit - 1) / kUnit * kUnit;
+}
+
+/// The same as write_block(), with each vertex once.
+template <int N>
+void write_compact_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
+                         CompactBlock<N>& block) {
+    const BlockVertices<N> vertices(mesh, triangles);
+    float* place = block.vertices();
+    for (int k = 0; k < 3; ++k) *place++ = std::numeric_limits<float>::quiet_NaN();
+    for (int i = 1; i < vertices.count; ++i) {
+        for (int k = 0; k < 3; ++k)
+            *place++ = static_cast<float>(scale * mesh.vertices[vertices.index[i]][k]);
+    }
+    std::fill_n(block.triangle, N, kEmptySlot);
+    std::fill_n(&block.corner[0][0], 3 * N, std::uint8_t{0});
+    for (int i = 0; i < triangles.count; ++i) {
+        const std::uint32_t triangle = triangles.index[i];
+        if (!is_in_float_range(mesh, triangle)) continue;
+        block.triangle[i] = triangle;
+        for (int corner = 0; corner < 3; ++corner)
+            block.corner[corner][i] =
+                static_cast<std::uint8_t>(vertices.place_of(mesh.faces[triangle][corner]));
     }
 }
 

@@ -16,7 +16,9 @@ namespace {
 constexpr double kWorthSplitting = 0.97;
 
 BuiltTree collapsed(MeshView mesh, Tree tree, const WideBuildOptions& options) {
-    WideTree wide(mesh, tree, {options.instruction_set});
+    WideTree wide(mesh, tree,
+                  {.instruction_set = options.instruction_set,
+                   .compact = options.preset == BuildPreset::compact});
     return {std::move(tree), std::move(wide)};
 }
 
@@ -43,7 +45,7 @@ BuiltTree build_preset(MeshView mesh, const WideBuildOptions& options) {
         return collapsed(mesh, std::move(tree), options);
     }
     BuiltTree whole = collapsed(mesh, balanced(mesh, width), options);
-    if (options.preset == BuildPreset::balanced) return whole;
+    if (options.preset != BuildPreset::best) return whole;
     // The cost of the wide tree tells which is faster; that of the binary one doesn't.
     BuiltTree split = collapsed(mesh, with_splits(mesh, width), options);
     const bool pays = split.wide.cost() < kWorthSplitting * whole.wide.cost();
@@ -58,6 +60,7 @@ std::span<const Named<BuildPreset>> build_presets() {
     static constexpr Named<BuildPreset> kPresets[] = {
         {"fast", BuildPreset::fast},
         {"balanced", BuildPreset::balanced},
+        {"compact", BuildPreset::compact},
         {"best", BuildPreset::best},
     };
     return kPresets;

@@ -15,6 +15,7 @@ namespace boxwood {
 enum class BuildPreset {
     fast,      ///< morton: for what moves
     balanced,  ///< block_sah, and reinsertion where it pays
+    compact,   ///< balanced, in half the memory and with slower rays: for very large meshes
     best,      ///< spatial splits with reinsertion, where the cost of rays says that they pay
 };
 

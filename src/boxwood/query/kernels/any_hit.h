@@ -3,14 +3,16 @@
 // are hit goes first, since a hit is likeliest there. Explained in docs/algorithms/any_hit.md.
 #pragma once
 
+#include "boxwood/query/kernels/counting.h"
 #include "boxwood/query/kernels/node_ray.h"
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
 namespace boxwood {
 
-template <class S>
-bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
+template <class S, class... Counts>
+bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexcept {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
     if (!is_traceable(ray)) return false;
@@ -21,6 +23,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
     const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
+    TriangleBlock<N> room;
     int size = 0;
     WideReference current = 0;
     for (;;) {
@@ -29,6 +32,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
             Float enter, leave;
             node_ray.intersect(node, t_max, enter, leave);
             const unsigned hit = S::less_equal(enter, leave);
+            count_node(node, hit != 0, false, counts...);
             if (hit != 0) {
                 // Children stand in the order of their area, the largest last.
                 const int largest = 31 - __builtin_clz(hit);
@@ -39,8 +43,10 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray) noexcept {
                 }
                 continue;
             }
-        } else if (intersect<S>(tree.block<N>(current), block_ray, t_max).mask != 0) {
-            return true;
+        } else {
+            count_block<N>(tree, current, false, counts...);
+            if (intersect<S>(block_at<N>(tree, current, room), block_ray, t_max).mask != 0)
+                return true;
         }
         if (size == 0) return false;
         current = references[--size];

@@ -42,8 +42,9 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
     const BlockRay<S> block_ray(setup);
     const Float error = S::broadcast(setup.rounding);
     float farthest = ray.t_max;
+    TriangleBlock<N> room;
     walk<S>(tree, setup, node_ray, farthest, [&](WideReference reference) {
-        const TriangleBlock<N>& block = tree.block<N>(reference);
+        const TriangleBlock<N>& block = block_at<N>(tree, reference, room);
         const unsigned mask = candidates<S>(block, block_ray, error);
         if (mask != 0) farthest = visitor.visit(visitor.context, block.triangle, mask);
     });

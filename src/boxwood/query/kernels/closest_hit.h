@@ -7,6 +7,7 @@
 // Tracing for Wide Vector Units", HPG 2017; Wald et al., "Getting Rid of Packets", RT 2008.
 #pragma once
 
+#include "boxwood/query/kernels/counting.h"
 #include "boxwood/query/kernels/hit_record.h"
 #include "boxwood/query/kernels/node_ray.h"
 #include "boxwood/query/kernels/triangle_block.h"
@@ -33,9 +34,10 @@ BOXWOOD_KERNEL int compact(std::uint32_t* references, float* distances, int size
 }
 
 /// Visits the blocks that the ray meets before t_max, nearest first. A visit may lower t_max.
-template <class S, class Visit>
+template <class S, class Visit, class... Counts>
 BOXWOOD_KERNEL void walk(const WideTreeView& tree, const RaySetup& setup,
-                         const NodeRay<S>& node_ray, const float& t_max, const Visit& visit) {
+                         const NodeRay<S>& node_ray, const float& t_max, const Visit& visit,
+                         Counts&... counts) {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
@@ -48,6 +50,7 @@ BOXWOOD_KERNEL void walk(const WideTreeView& tree, const RaySetup& setup,
             Float enter, leave;
             node_ray.intersect(node, S::broadcast(t_max), enter, leave);
             const unsigned hit = S::less_equal(enter, leave);
+            count_node(node, hit != 0, (hit & (hit - 1)) != 0, counts...);
             if (hit != 0) {
                 if ((hit & (hit - 1)) == 0) {
                     current = node.child[__builtin_ctz(hit)];
@@ -75,8 +78,9 @@ BOXWOOD_KERNEL void walk(const WideTreeView& tree, const RaySetup& setup,
     }
 }
 
-template <class S>
-void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexcept {
+template <class S, class... Counts>
+void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result,
+                 Counts&... counts) noexcept {
     ClosestHit<S> closest;
     closest.t = ray.t_max;
     if (is_traceable(ray)) {
@@ -84,13 +88,16 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result) noexce
         setup.set<typename S::Quad>(ray, tree);
         const NodeRay<S> node_ray(setup);
         const BlockRay<S> block_ray(setup);
-        walk<S>(tree, setup, node_ray, closest.t, [&](WideReference reference) {
-            const auto& block = tree.block<S::kWidth>(reference);
+        TriangleBlock<S::kWidth> room;
+        const auto visit = [&](WideReference reference) {
+            const auto& block = block_at<S::kWidth>(tree, reference, room);
             const BlockHit<S> hit = intersect<S>(block, block_ray, S::broadcast(closest.t));
-            if (hit.mask != 0) closest.offer(block, hit);
-        });
+            count_block<S::kWidth>(tree, reference, hit.mask != 0, counts...);
+            if (hit.mask != 0) closest.offer(block, reference, hit);
+        };
+        walk<S>(tree, setup, node_ray, closest.t, visit, counts...);
     }
-    closest.write(result);
+    closest.write(tree, result);
 }
 
 }  // namespace boxwood

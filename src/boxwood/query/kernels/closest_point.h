@@ -98,6 +98,7 @@ void walk_near_triangles(const WideTreeView& tree, const PointQuery& query,
     const Vector<S> point = {S::broadcast(query.point[0]), S::broadcast(query.point[1]),
                              S::broadcast(query.point[2])};
     NearTriangles<S> found(query, visitor);
+    TriangleBlock<N> room;
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     alignas(64) float distances[kStackSize + kStackSlack];
     int size = 0;
@@ -118,7 +119,7 @@ void walk_near_triangles(const WideTreeView& tree, const PointQuery& query,
                 continue;
             }
         } else {
-            found.offer(tree.block<N>(current), point);
+            found.offer(block_at<N>(tree, current, room), point);
         }
         if (size > 0 && distances[size - 1] > found.farthest_squared())
             size = compact<S>(references, distances, size, found.farthest_squared());

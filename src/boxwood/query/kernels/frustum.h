@@ -11,6 +11,7 @@
 
 #include "boxwood/query/kernels/frustum_block.h"
 #include "boxwood/query/kernels/frustum_rays.h"
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
@@ -22,7 +23,8 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr std::size_t kRays = FrustumRays<S>::kRays;
     /// Triangles are remembered by their place in the tree, in 32 bits.
-    static constexpr std::size_t kLargestTree = (std::size_t{1} << 32) / N * kReferenceUnit;
+    static constexpr std::uint64_t kLargestTree =
+        (std::uint64_t{1} << 32) / N * kReferenceUnit;
 
     BOXWOOD_KERNEL explicit Frustum(const WideTreeView& tree) : tree_(tree) {}
 
@@ -173,7 +175,7 @@ private:
     }
 
     BOXWOOD_KERNEL std::size_t visit_block(WideReference reference, unsigned packets) {
-        const TriangleBlock<N>& block = tree_.template block<N>(reference);
+        const TriangleBlock<N>& block = block_at<N>(tree_, reference, room_);
         view_.look(block, rays_, packets, nearest_, group_nearest_);
         const std::uint32_t first_code = (reference & ~kLeafBit) * N;
         // Those that the linear functions leave open, of all pairs.
@@ -219,13 +221,13 @@ private:
     };
 
     BOXWOOD_KERNEL Triangles one_triangle(std::uint32_t code) const {
-        const TriangleBlock<N>& block = tree_.template block<N>(code / N);
+        const BlockTriangle triangle = triangle_at<N>(tree_, code / N, code % N);
         Triangles result;
         for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k)
-                result.corner[i][k] = S::broadcast(block.corner[i][rays_.axis[k]][code % N]);
+                result.corner[i][k] = S::broadcast(triangle.corner[i][rays_.axis[k]]);
         }
-        S::store_unaligned(result.index, S::broadcast_integer(block.triangle[code % N]));
+        S::store_unaligned(result.index, S::broadcast_integer(triangle.index));
         return result;
     }
 
@@ -233,12 +235,11 @@ private:
         alignas(64) float corners[3][3][N];
         Triangles result;
         for (int lane = 0; lane < N; ++lane) {
-            const TriangleBlock<N>& block = tree_.template block<N>(codes[lane] / N);
+            const BlockTriangle triangle = triangle_at<N>(tree_, codes[lane] / N, codes[lane] % N);
             for (int i = 0; i < 3; ++i) {
-                for (int k = 0; k < 3; ++k)
-                    corners[i][k][lane] = block.corner[i][k][codes[lane] % N];
+                for (int k = 0; k < 3; ++k) corners[i][k][lane] = triangle.corner[i][k];
             }
-            result.index[lane] = block.triangle[codes[lane] % N];
+            result.index[lane] = triangle.index;
         }
         for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k) result.corner[i][k] = S::load(corners[i][rays_.axis[k]]);
@@ -339,6 +340,7 @@ private:
     const WideTreeView& tree_;
     FrustumRays<S> rays_;
     BlockInView<S> view_;
+    TriangleBlock<N> room_;
     // Of the group and of each packet: the least inverse depth at which a ray looks for hits, and
     // how far along z that is.
     float group_nearest_, farthest_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/triangle_block.h"
 
 namespace boxwood {
@@ -12,7 +13,7 @@ struct ClosestHit {
 
     float t;
     std::uint32_t triangle = Hitf::kNone;
-    const TriangleBlock<N>* block = nullptr;
+    WideReference place = 0;  ///< of its block
     int lane = 0;
     alignas(4 * N) float v[N];
     alignas(4 * N) float w[N];
@@ -20,13 +21,14 @@ struct ClosestHit {
 
     /// Keeps the best of the lanes if it is closer: equal distances go to the lower triangle.
     /// Returns whether it was.
-    BOXWOOD_KERNEL bool offer(const TriangleBlock<N>& candidates, const BlockHit<S>& hit) {
+    BOXWOOD_KERNEL bool offer(const TriangleBlock<N>& candidates, WideReference reference,
+                              const BlockHit<S>& hit) {
         const float least = S::least(hit.mask, hit.t);
         const int first = __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
         if (least == t && candidates.triangle[first] >= triangle) return false;
         t = least;
         triangle = candidates.triangle[first];
-        block = &candidates;
+        place = reference;
         lane = first;
         S::store(v, hit.v);
         S::store(w, hit.w);
@@ -34,16 +36,16 @@ struct ClosestHit {
         return true;
     }
 
-    BOXWOOD_KERNEL void write(Hitf& result) const {
+    BOXWOOD_KERNEL void write(const WideTreeView& tree, Hitf& result) const {
         if (triangle == Hitf::kNone) {
             result = {};
             return;
         }
-        const auto corner = [&](int i, int k) { return block->corner[i][k][lane]; };
+        const BlockTriangle hit = triangle_at<N>(tree, place, static_cast<unsigned>(lane));
         float ab[3], ac[3];
         for (int k = 0; k < 3; ++k) {
-            ab[k] = corner(1, k) - corner(0, k);
-            ac[k] = corner(2, k) - corner(0, k);
+            ab[k] = hit.corner[1][k] - hit.corner[0][k];
+            ac[k] = hit.corner[2][k] - hit.corner[0][k];
         }
         // Adding 0 turns -0 into 0: which of them it is depends on who was the first of equals.
         result.t = t + 0;

@@ -6,10 +6,11 @@
 namespace boxwood {
 
 const RayKernels& avx2_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Avx2>,     any_hit<Avx2>,
-                                            closest_hits<Avx2>,    any_hits<Avx2>,
-                                            walk_candidates<Avx2>, walk_near_triangles<Avx2>,
-                                            walk_overlaps<Avx2>};
+    static constexpr RayKernels kKernels = {closest_hit<Avx2>,        any_hit<Avx2>,
+                                            closest_hits<Avx2>,       any_hits<Avx2>,
+                                            walk_candidates<Avx2>,    walk_near_triangles<Avx2>,
+                                            walk_overlaps<Avx2>,      closest_hit<Avx2, WideCounts>,
+                                            any_hit<Avx2, WideCounts>};
     return kKernels;
 }
 

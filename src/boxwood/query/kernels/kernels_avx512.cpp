@@ -6,10 +6,12 @@
 namespace boxwood {
 
 const RayKernels& avx512_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Avx512>,     any_hit<Avx512>,
-                                            closest_hits<Avx512>,    any_hits<Avx512>,
-                                            walk_candidates<Avx512>, walk_near_triangles<Avx512>,
-                                            walk_overlaps<Avx512>};
+    static constexpr RayKernels kKernels = {
+        closest_hit<Avx512>,        any_hit<Avx512>,
+        closest_hits<Avx512>,       any_hits<Avx512>,
+        walk_candidates<Avx512>,    walk_near_triangles<Avx512>,
+        walk_overlaps<Avx512>,      closest_hit<Avx512, WideCounts>,
+        any_hit<Avx512, WideCounts>};
     return kKernels;
 }
 

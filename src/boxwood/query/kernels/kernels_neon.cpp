@@ -7,10 +7,11 @@
 namespace boxwood {
 
 const RayKernels& neon_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Neon>,     any_hit<Neon>,
-                                            closest_hits<Neon>,    any_hits<Neon>,
-                                            walk_candidates<Neon>, walk_near_triangles<Neon>,
-                                            walk_overlaps<Neon>};
+    static constexpr RayKernels kKernels = {closest_hit<Neon>,        any_hit<Neon>,
+                                            closest_hits<Neon>,       any_hits<Neon>,
+                                            walk_candidates<Neon>,    walk_near_triangles<Neon>,
+                                            walk_overlaps<Neon>,      closest_hit<Neon, WideCounts>,
+                                            any_hit<Neon, WideCounts>};
     return kKernels;
 }
 

@@ -6,10 +6,12 @@
 namespace boxwood {
 
 const RayKernels& scalar_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Scalar>,     any_hit<Scalar>,
-                                            closest_hits<Scalar>,    any_hits<Scalar>,
-                                            walk_candidates<Scalar>, walk_near_triangles<Scalar>,
-                                            walk_overlaps<Scalar>};
+    static constexpr RayKernels kKernels = {
+        closest_hit<Scalar>,        any_hit<Scalar>,
+        closest_hits<Scalar>,       any_hits<Scalar>,
+        walk_candidates<Scalar>,    walk_near_triangles<Scalar>,
+        walk_overlaps<Scalar>,      closest_hit<Scalar, WideCounts>,
+        any_hit<Scalar, WideCounts>};
     return kKernels;
 }
 

@@ -7,10 +7,11 @@
 namespace boxwood {
 
 const RayKernels& wasm_kernels() {
-    static constexpr RayKernels kKernels = {closest_hit<Wasm>,     any_hit<Wasm>,
-                                            closest_hits<Wasm>,    any_hits<Wasm>,
-                                            walk_candidates<Wasm>, walk_near_triangles<Wasm>,
-                                            walk_overlaps<Wasm>};
+    static constexpr RayKernels kKernels = {closest_hit<Wasm>,        any_hit<Wasm>,
+                                            closest_hits<Wasm>,       any_hits<Wasm>,
+                                            walk_candidates<Wasm>,    walk_near_triangles<Wasm>,
+                                            walk_overlaps<Wasm>,      closest_hit<Wasm, WideCounts>,
+                                            any_hit<Wasm, WideCounts>};
     return kKernels;
 }
 

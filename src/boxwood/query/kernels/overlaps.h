@@ -35,12 +35,13 @@ void walk_overlaps(const WideTreeView& tree, const BoxQuery& query,
     const LaneBox<S> box(query);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     references[0] = 0;
+    TriangleBlock<N> room;
     int size = 1;
     while (size > 0) {
         const WideReference current = references[--size];
         unsigned mask = ~0u;
         if (is_leaf(current)) {
-            const TriangleBlock<N>& block = tree.block<N>(current);
+            const TriangleBlock<N>& block = block_at<N>(tree, current, room);
             for (int k = 0; k < 3; ++k) {
                 const auto a = S::load(block.corner[0][k]), b = S::load(block.corner[1][k]),
                            c = S::load(block.corner[2][k]);

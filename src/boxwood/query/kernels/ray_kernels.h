@@ -5,6 +5,7 @@
 
 #include "boxwood/core/simd.h"
 #include "boxwood/query/rayf.h"
+#include "boxwood/query/wide_counts.h"
 #include "boxwood/query/wide_node.h"
 
 namespace boxwood {
@@ -46,6 +47,9 @@ struct RayKernels {
     /// Visits each triangle that may touch the box, until a visit returns less than 0.
     void (*walk_overlaps)(const WideTreeView& tree, const BoxQuery& box,
                           const CandidateVisitor& visitor) noexcept;
+    void (*closest_hit_counted)(const WideTreeView& tree, const Rayf& ray, Hitf& result,
+                                WideCounts& counts) noexcept;
+    bool (*any_hit_counted)(const WideTreeView& tree, const Rayf& ray, WideCounts& counts) noexcept;
 };
 
 // One of these a source file, compiled for that instruction set alone.

@@ -151,7 +151,7 @@ private:
         if constexpr (kAnyHit) {
             results_[slot.index] = slot.closest.triangle != Hitf::kNone;
         } else {
-            slot.closest.write(results_[slot.index]);
+            slot.closest.write(tree_, results_[slot.index]);
         }
     }
 
@@ -187,7 +187,7 @@ private:
     }
 
     BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
-        const TriangleBlock<N>& block = tree_.template block<N>(slot.current);
+        const TriangleBlock<N>& block = block_at<N>(tree_, slot.current, room_);
         const BlockHit<S> hit =
             intersect<S>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
         if constexpr (kAnyHit) {
@@ -196,7 +196,7 @@ private:
                 return kDone;
             }
         } else {
-            if (hit.mask != 0) slot.closest.offer(block, hit);
+            if (hit.mask != 0) slot.closest.offer(block, slot.current, hit);
             slot.size = drop_hidden(slot);
         }
         return slot.references[--slot.size];
@@ -208,6 +208,7 @@ private:
     std::size_t count_;
     std::size_t next_ = 0;
     Slot slots_[kRaysInFlight];
+    TriangleBlock<N> room_;
 };
 
 }  // namespace boxwood

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/query/wide_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "boxwood/build/block_sah.h"
+#include "boxwood/mesh/generate.h"
+
+namespace boxwood {
+namespace {
+
+class WideTreeMemory : public testing::TestWithParam<Named<InstructionSet>> {
+protected:
+    /// Bytes a triangle of a tree over the mesh.
+    static double bytes(const TriangleMesh& mesh, bool compact) {
+        const InstructionSet set = GetParam().value;
+        const Tree tree = build_block_sah(mesh, {.block = static_cast<std::uint32_t>(lanes(set))});
+        const WideTree wide(mesh, tree, {.instruction_set = set, .compact = compact});
+        EXPECT_EQ(wide.is_compact(), compact);
+        return static_cast<double>(wide.bytes()) / static_cast<double>(mesh.faces.size());
+    }
+};
+
+TEST_P(WideTreeMemory, stays_within_its_limits) {
+    for (const char* shape : {"torus_knot", "interior", "gyroid"}) {
+        const TriangleMesh mesh = generate(shape, 20'000);
+        EXPECT_LE(bytes(mesh, false), 72) << shape;
+        // Four triangles share few vertices.
+        EXPECT_LE(bytes(mesh, true), lanes(GetParam().value) == 4 ? 50 : 40) << shape;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, WideTreeMemory,
+                         testing::ValuesIn(instruction_sets().begin(), instruction_sets().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(WideTree, over_nothing_is_empty) {
+    for (const bool compact : {false, true}) {
+        const TriangleMesh nothing, flaw = {{{0, 0, NAN}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+        EXPECT_TRUE(WideTree(nothing, {}, {.compact = compact}).is_empty());
+        EXPECT_TRUE(WideTree(flaw, build_block_sah(flaw), {.compact = compact}).is_empty());
+    }
+}
+
+}  // namespace
+}  // namespace boxwood
