@@ -23,8 +23,7 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr std::size_t kRays = FrustumRays<S>::kRays;
     /// Triangles are remembered by their place in the tree, in 32 bits.
-    static constexpr std::uint64_t kLargestTree =
-        (std::uint64_t{1} << 32) / N * kReferenceUnit;
+    static constexpr std::uint64_t kLargestTree = (std::uint64_t{1} << 32) / N * kReferenceUnit;
 
     BOXWOOD_KERNEL explicit Frustum(const WideTreeView& tree) : tree_(tree) {}
 
