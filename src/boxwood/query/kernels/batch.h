@@ -12,9 +12,9 @@
 
 namespace boxwood {
 
-/// Where a group has more pairs of triangles and packets to test, its triangles are smaller than
-/// the distance of its rays. If its neighbours are like it, more and more of them go ray by ray.
-constexpr std::size_t kMostPairsPerRay = 14;
+/// Where a group takes more steps, its triangles are smaller than the distance of its rays, or its
+/// rays are no tiles. If its neighbours are like it, more and more of them go ray by ray.
+constexpr std::size_t kMostStepsPerRay = 16;
 constexpr std::size_t kMostPasses = 15;
 
 /// Rays that have no more in common than that they are asked for together.
@@ -58,9 +58,12 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
             continue;
         if (i + 2 * kGroup <= count) fetch_ahead(rays + i + kGroup, kGroup);
         fetch_ahead(hits + i, kGroup);
+        if (!frustum.run(kMostStepsPerRay * kGroup)) {
+            passes = dense = dense < kMostPasses ? 2 * dense + 1 : dense;
+            continue;
+        }
+        dense = 0;
         closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
-        const bool is_dense = frustum.run() > kMostPairsPerRay * kGroup;
-        passes = dense = is_dense ? (dense < kMostPasses ? 2 * dense + 1 : dense) : 0;
         frustum.write(hits + i);
         begin = i + kGroup;
     }

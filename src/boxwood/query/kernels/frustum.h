@@ -51,20 +51,22 @@ public:
         return true;
     }
 
-    /// Returns how many pairs of a packet and a triangle had to be tested.
-    BOXWOOD_KERNEL std::size_t run() {
-        std::size_t pairs = 0;
+    /// Finds the hits; gives up, and returns false, when that takes more steps than the limit. A
+    /// step is the test of a pair of a packet and a triangle.
+    BOXWOOD_KERNEL bool run(std::size_t most_steps) {
+        std::size_t steps = 0;
         WideReference current = 0;
         unsigned packets = FrustumRays<S>::kAll;
         int size = 0;
         for (;;) {
             if (is_leaf(current)) {
-                pairs += visit_block(current, packets);
+                steps += visit_block(current, packets) + kStepsPerBlock;
+                if (steps > most_steps) return false;
             } else {
                 size = visit_node(current, size);
             }
             do {
-                if (size == 0) return pairs;
+                if (size == 0) return true;
                 const Entry& entry = stack_[--size];
                 current = entry.reference;
                 packets = entry.enter <= farthest_ ? packets_that_see(entry) : 0;
@@ -82,6 +84,7 @@ public:
 private:
     using Float = typename S::Float;
 
+    static constexpr std::size_t kStepsPerBlock = 8;
     /// Of an inverse depth that is worked out from a t.
     static constexpr float kDepthRounding = 0x1p-20f;
 

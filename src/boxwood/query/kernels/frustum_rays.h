@@ -7,9 +7,6 @@ namespace boxwood {
 
 /// How far apart, of the spread of the group, the rays of a packet may be on average.
 constexpr float kMostPacketSpread = 0.6f;
-/// How large a packet and the group may be, in squares as wide as rays are apart, for each ray: 1
-/// where they are side by side. Tiles that don't begin where groups begin make them larger.
-constexpr float kMostPacketArea = 1.5f, kMostGroupArea = 4;
 /// The axis of a group need not be that of each ray's largest coordinate, but almost.
 constexpr float kSteepestSlope = 1.5f;
 
@@ -132,16 +129,10 @@ private:
         hi_x = S::greatest(S::load(range_x[1]));
         lo_y = S::least(kAll, S::load(range_y[0]));
         hi_y = S::greatest(S::load(range_y[1]));
-        float spread = 0, area = 0, squares = 0;
-        for (int packet = 0; packet < N; ++packet) {
-            const float width = range_x[1][packet] - range_x[0][packet];
-            const float height = range_y[1][packet] - range_y[0][packet];
-            spread += width + height;
-            area += width * height;
-            const float dx = slope_x[packet][1] - slope_x[packet][0];
-            const float dy = slope_y[packet][1] - slope_y[packet][0];
-            squares += dx * dx + dy * dy;
-        }
+        float spread = 0;
+        for (int packet = 0; packet < N; ++packet)
+            spread += (range_x[1][packet] - range_x[0][packet]) +
+                      (range_y[1][packet] - range_y[0][packet]);
         least_depth = -__builtin_inff();
         if (t_min > 0) {
             for (int packet = 0; packet < N; ++packet) {
@@ -149,10 +140,8 @@ private:
                 if (z > least_depth) least_depth = z;
             }
         }
-        const float width = hi_x - lo_x, height = hi_y - lo_y, slack = 1e-12f;
-        return (spread <= kMostPacketSpread * N * (width + height) + 1e-6f) &
-               (area <= kMostPacketArea * N * squares + slack) &
-               (width * height <= kMostGroupArea * N * squares + slack);
+        const float group_spread = (hi_x - lo_x) + (hi_y - lo_y);
+        return spread <= kMostPacketSpread * N * group_spread + 1e-6f;
     }
 };
 
