@@ -11,6 +11,7 @@
 
 #include "boxwood/build/block_sah.h"
 #include "boxwood/core/error.h"
+#include "boxwood/core/hash.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/refit.h"
@@ -204,6 +205,42 @@ TEST_F(WideTreeFile, other_meshes_are_refused) {
               "InvalidInput save_wide_tree: the mesh has 0 faces, expected " +
                   std::to_string(mesh_.faces.size()));
     EXPECT_FALSE(fs::exists(dir_ / "other"));
+}
+
+/// What checksums can't find, as they are right.
+TEST_F(WideTreeFile, values_that_no_tree_has_are_refused) {
+    const std::size_t tree = field<std::uint64_t>(72);
+    const auto error_after = [&](std::size_t place, std::uint32_t value) {
+        std::string changed = content_;
+        std::memcpy(changed.data() + place, &value, sizeof(value));
+        const auto bytes = std::as_bytes(std::span(changed.data(), changed.size()));
+        const std::uint64_t tree_hash = hash_of(bytes.subspan(tree));
+        std::memcpy(changed.data() + 128, &tree_hash, sizeof(tree_hash));
+        std::memset(changed.data() + 136, 0, 8);
+        const std::uint64_t front_hash = hash_of(bytes.first(tree));
+        std::memcpy(changed.data() + 136, &front_hash, sizeof(front_hash));
+        return error_with(changed);
+    };
+    EXPECT_EQ(error_after(16, field<std::uint32_t>(16)), "no error");
+    EXPECT_EQ(error_after(16, 32),
+              "InvalidInput " + (dir_ / "changed").string() +
+                  ": found 32 children a node, expected a width that this machine can walk");
+    EXPECT_EQ(error_after(20, 2),
+              expected(":byte 16: found values out of range, expected a tree's"));
+    EXPECT_EQ(error_after(24, 5000),
+              expected(":byte 16: found values out of range, expected a tree's"));
+    EXPECT_EQ(error_after(24, 0).find(expected(": found a tree in which a walk needs ")), 0u);
+    EXPECT_EQ(error_after(28, 0), expected(":byte 28: found scale 0, expected 1"));
+    EXPECT_EQ(error_after(144, 5000),
+              expected(": found a list of triangles that aren't in order, expected it to be"));
+    // Widths of nodes that are taken for others.
+    for (const std::uint32_t width : {4u, 8u, 16u}) {
+        if (width != field<std::uint32_t>(16)) EXPECT_NE(error_after(16, width), "no error");
+    }
+    EXPECT_NE(error_after(20, 1), "no error");
+    const std::size_t children = tree + 24 * field<std::uint32_t>(16);
+    EXPECT_EQ(error_after(children, 0xffffffff).find(expected(": found a tree in which ")), 0u);
+    EXPECT_EQ(error_after(children, 0).find(expected(": found a tree in which ")), 0u);
 }
 
 TEST_F(WideTreeFile, folder_that_cannot_be_written_to_is_an_io_error) {

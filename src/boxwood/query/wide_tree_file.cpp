@@ -205,8 +205,8 @@ WideTree open_wide_tree(const fs::path& path, MeshView mesh, const OpenTreeOptio
     const Header& header = reader.header();
     const auto set = set_of_width(header.width);
     if (!set)
-        reader.refuse(fmt::format("found {} children a node, expected at most {} on this machine",
-                                  header.width, lanes(preferred_instruction_set())));
+        reader.refuse(fmt::format(
+            "found {} children a node, expected a width that this machine can walk", header.width));
     check_mesh(reader, mesh);
     WideTreeParts parts;
     parts.instruction_set = *set;
