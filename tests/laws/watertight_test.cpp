@@ -2,39 +2,16 @@
 // No ray gets out of a closed mesh, wherever between its triangles it tries to.
 #include <gtest/gtest.h>
 
-#include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/inspect.h"
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/closest_hit.h"
 #include "laws/accelerators.h"
+#include "laws/closed_meshes.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
 
 namespace boxwood {
 namespace {
-
-struct ClosedMesh {
-    std::string name;
-    TriangleMesh mesh;
-    double thickness;  ///< how far below its faces the inside reaches for sure
-};
-
-std::vector<ClosedMesh> closed_meshes() {
-    std::vector<ClosedMesh> meshes = {
-        {"icosphere", generate_icosphere(1280), 0.5},
-        {"torus_knot", generate_torus_knot(2000), 0.02},
-        {"gyroid", generate_gyroid(3000), 0.005},
-        {"cube", subdivided_cube(8), 0.25},
-    };
-    const auto unmoved = meshes.size();
-    for (std::size_t i = 0; i < unmoved; ++i) {
-        const auto [name, mesh, thickness] = meshes[i];
-        meshes.push_back({name + "_tiny", moved(mesh, 1e-6, Vec3d::Zero()), 1e-6 * thickness});
-        meshes.push_back({name + "_huge", moved(mesh, 1e8, Vec3d::Zero()), 1e8 * thickness});
-        meshes.push_back({name + "_far_away", moved(mesh, 1, {1e8, -1e7, 1e8}), thickness});
-    }
-    return meshes;
-}
 
 /// Points below the middle of some faces, and, exactly, the middle of the mesh where it is inside.
 std::vector<Vec3d> points_inside(const ClosedMesh& closed, Random& random) {

@@ -6,10 +6,16 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 
 #include <cstddef>
 
 namespace boxwood {
+
+/// How many threads share the work of parallel_for.
+inline std::size_t thread_count() {
+    return static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+}
 
 /// Calls body(begin, end) over pieces of [0, count) of at least the given size, on all cores.
 template <class Body>

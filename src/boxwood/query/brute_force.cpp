@@ -3,6 +3,7 @@
 // for everything else. Explained in docs/algorithms/brute_force.md.
 #include "boxwood/query/brute_force.h"
 
+#include "boxwood/query/crossings.h"
 #include "boxwood/query/mesh_point.h"
 #include "boxwood/query/mesh_ray.h"
 #include "boxwood/query/solid_angle.h"
@@ -29,6 +30,13 @@ bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept {
         if (mesh_ray.intersect(i, ray.t_max)) return true;
     }
     return false;
+}
+
+std::vector<Hit> all_hits_brute_force(MeshView mesh, const Ray& ray) {
+    std::vector<Hit> hits;
+    add_crossings_brute_force(mesh, ray, 0, hits);
+    sort_crossings(hits);
+    return hits;
 }
 
 std::optional<ClosestPoint> closest_point_brute_force(MeshView mesh, const Vec3d& point,

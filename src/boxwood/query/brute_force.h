@@ -19,6 +19,9 @@ std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
 /// The answer of any_hit(), by testing triangles until one is hit. O(n).
 bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept;
 
+/// The answer of all_hits() of query/all_hits.h, by testing every triangle. O(n).
+std::vector<Hit> all_hits_brute_force(MeshView mesh, const Ray& ray);
+
 /// The answer of closest_point(), by measuring the distance to every triangle. O(n).
 std::optional<ClosestPoint> closest_point_brute_force(
     MeshView mesh, const Vec3d& point,

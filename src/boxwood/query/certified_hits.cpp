@@ -1,93 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ray in double precision finds its candidates in float. First it is brought near the scene: its
-// origin is moved along it to where the scene is, in double, so that float can tell things there
-// apart; its direction is scaled by a power of two, so that float holds it. Both are undone exactly
-// or within a bound that the boxes are moved outward by. Explained in
-// docs/algorithms/certified_hits.md.
+// The tree is walked in float by the ray of near_ray.h; what that can't leave out is decided in
+// double. Explained in docs/algorithms/certified_hits.md.
 #include "boxwood/query/certified_hits.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "boxwood/core/float_bits.h"
 #include "boxwood/query/brute_force.h"
-#include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_ray.h"
+#include "boxwood/query/near_ray.h"
 
 namespace boxwood {
-
-namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-float rounded_down(double x) {
-    const float nearest = static_cast<float>(x);
-    return nearest > x ? std::nextafter(nearest, -kInfinity) : nearest;
-}
-float rounded_up(double x) { return -rounded_down(-x); }
-
-/// The ray as the tree sees it.
-class NearRay {
-public:
-    NearRay(const WideTree& tree, const Ray& ray) : scale_(tree.scale()) {
-        const int exponent = exponent_of(ray.direction.lpNorm<Eigen::Infinity>());
-        const Vec3d direction = ray.direction * power_of_two(-exponent);
-        stretch_ = power_of_two(exponent);
-
-        // The scene is less than a diagonal away from the middle of its bounds.
-        const Vec3d lo = tree.bounds().lo.cast<double>(), hi = tree.bounds().hi.cast<double>();
-        const double diagonal = (hi - lo).norm();
-        const double to_middle =
-            (0.5 * lo + 0.5 * hi - ray.origin).dot(direction) / direction.squaredNorm();
-        if (std::abs(to_middle) > 4 * diagonal)
-            shift_ = to_middle - std::copysign(2 * diagonal, to_middle);
-
-        const Vec3d origin = ray.origin + shift_ * direction;
-        const double moved = ray.origin.lpNorm<Eigen::Infinity>() + 2 * std::abs(shift_);
-        extra_rounding_ = shift_ == 0 ? 0 : rounded_up(0x1p-50 * moved * scale_);
-        for (int k = 0; k < 3; ++k) {
-            ray_.origin[k] = static_cast<float>(scale_ * origin[k]);
-            ray_.direction[k] = static_cast<float>(direction[k]);
-        }
-        ray_.t_min = -farthest(-ray.t_min, -1);
-        ray_.t_max = farthest(ray.t_max);
-    }
-
-    /// From so far away that moving the origin loses all digits, no triangle can be left out.
-    bool can_leave_out() const { return extra_rounding_ <= kMostRounding; }
-    const Rayf& ray() const { return ray_; }
-    float extra_rounding() const { return extra_rounding_; }
-
-    /// A distance no hit at t is beyond.
-    float farthest(double t, int sign = 1) const {
-        return rounded_up((t * stretch_ - sign * shift_) * scale_ + extra_rounding_);
-    }
-
-private:
-    static constexpr float kMostRounding = 0x1p57f;
-
-    Rayf ray_;
-    double scale_;
-    double stretch_;  ///< what a unit of t is in the units of ray_, before the scale
-    double shift_ = 0;
-    float extra_rounding_;
-};
-
-template <class Visit>
-void visit_candidates(const WideTree& tree, const NearRay& near, Visit& visit) noexcept {
-    const CandidateVisitor visitor = {
-        .context = &visit,
-        .visit = [](void* context, const std::uint32_t* triangles, unsigned mask) noexcept {
-            Visit& each = *static_cast<Visit*>(context);
-            float farthest = 0;
-            for (; mask != 0; mask &= mask - 1) farthest = each(triangles[__builtin_ctz(mask)]);
-            return farthest;
-        }};
-    ray_kernels(tree.instruction_set())
-        .walk_candidates(tree.view(), near.ray(), near.extra_rounding(), visitor);
-}
-
-}  // namespace
 
 std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return std::nullopt;
@@ -119,7 +41,7 @@ bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
     bool found = false;
     auto visit = [&](std::uint32_t triangle) {
         found = found || mesh_ray.intersect(triangle, ray.t_max);
-        return found ? -kInfinity : near.ray().t_max;
+        return found ? -std::numeric_limits<float>::infinity() : near.ray().t_max;
     };
     visit_candidates(tree, near, visit);
     return found;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/query/wide_hits.h"
 
+#include <algorithm>
+
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_kernels.h"
@@ -9,8 +11,14 @@ namespace boxwood {
 
 namespace {
 
-/// Rays of one task: enough to fill a wavefront many times, few enough to share out evenly.
-constexpr std::size_t kPiece = 2048;
+/// Rays of one task: whole groups of rays, so that a camera's tiles stay together; enough for a
+/// wavefront to run long, few enough to share out evenly.
+std::size_t piece_of(std::size_t count) {
+    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
+    constexpr std::size_t kTurns = 8;  ///< of each thread
+    const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
+    return std::clamp(even, kLeast, kMost);
+}
 
 Rayf scaled(Rayf ray, float scale) {
     for (float& coordinate : ray.origin) coordinate *= scale;
@@ -70,29 +78,33 @@ bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept
     return kernels.any_hit_counted(tree.view(), scaled(ray, tree.scale()), counts);
 }
 
-void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits) {
+void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
+                  const BatchOptions& options) {
     check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
-    parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    const auto trace = [&](std::size_t begin, std::size_t end) {
         if (tree.scale() == 1 && !tree.is_empty()) {
             kernels.closest_hits(tree.view(), rays.data() + begin, hits.data() + begin,
                                  end - begin);
         } else {
             for (std::size_t i = begin; i < end; ++i) closest_hit(tree, rays[i], hits[i]);
         }
-    });
+    };
+    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
 }
 
-void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits) {
+void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits,
+              const BatchOptions& options) {
     check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
-    parallel_for(rays.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    const auto trace = [&](std::size_t begin, std::size_t end) {
         if (tree.scale() == 1 && !tree.is_empty()) {
             kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
         } else {
             for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
         }
-    });
+    };
+    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
 }
 
 }  // namespace boxwood

@@ -9,6 +9,7 @@
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/closest_hit.h"
 #include "boxwood/query/hit_places.h"
+#include "boxwood/scene/ray_in_mesh.h"
 
 namespace boxwood {
 
@@ -16,12 +17,6 @@ namespace {
 
 /// Rays between two looks at whether to go on: few, as by brute force each may take long.
 constexpr std::size_t kPiece = 256;
-
-/// The ray as a mesh of the scene sees it.
-Ray ray_in_mesh(Ray ray, std::uint32_t mesh) {
-    if (ray.skip.mesh != mesh) ray.skip = {};
-    return ray;
-}
 
 BuiltTree build(MeshView mesh, const SceneOptions& options) {
     if (!options.build) return build_preset(mesh, {.preset = options.preset});

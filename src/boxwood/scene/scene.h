@@ -9,6 +9,7 @@
 #include "boxwood/core/batch.h"
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/hit_lists.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/query/wide_tree.h"
 #include "boxwood/scene/build_wide_tree.h"
@@ -52,6 +53,25 @@ public:
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
+    /// The places where the ray goes through the meshes, with t in [ray.t_min, ray.t_max], in the
+    /// order of t; equal t in that of (mesh, triangle). Edges and vertices count once for each
+    /// crossing of each mesh, by the rule of query/all_hits.h.
+    std::vector<Hit> all_hits(const Ray& ray) const;
+    /// Their number.
+    std::size_t count_hits(const Ray& ray) const;
+    /// Those that are first, as many as there are places: their number, and Hit{} in the places
+    /// left.
+    std::size_t first_k_hits(const Ray& ray, std::span<Hit> hits) const noexcept;
+
+    /// The same for each ray, as closest_hits() does it. Lists take, while at work, two and a
+    /// quarter times the memory that they need in the end. For first_k_hits() hits has a row of k
+    /// places for each ray, one after another.
+    HitLists all_hits(std::span<const Ray> rays, const BatchOptions& options = {}) const;
+    void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
+                    const BatchOptions& options = {}) const;
+    void first_k_hits(std::span<const Ray> rays, std::size_t k, std::span<Hit> hits,
+                      const BatchOptions& options = {}) const;
+
     std::span<const MeshView> meshes() const { return meshes_; }
     /// Whether queries can count their steps: with options.keep_trees or options.brute_force.
     bool counts_steps() const { return wide_trees_.size() == trees_.size(); }
@@ -64,6 +84,7 @@ private:
     template <class ClosestHitOnMesh>
     std::optional<Hit> closest_of_meshes(const Ray& ray, const ClosestHitOnMesh& on_mesh,
                                          TraversalCounts* counts) const noexcept;
+    void add_crossings(const Ray& ray, std::vector<Hit>& hits) const;
 
     std::vector<MeshView> meshes_;
     std::vector<Tree> trees_;

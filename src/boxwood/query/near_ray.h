@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A ray in double precision finds its candidates in float. First it is brought near the scene: its
+// origin is moved along it to where the scene is, in double, so that float can tell things there
+// apart; its direction is scaled by a power of two, so that float holds it. Both are undone exactly
+// or within a bound that the boxes are moved outward by. Explained in
+// docs/algorithms/certified_hits.md.
+#pragma once
+
+#include <cmath>
+
+#include "boxwood/core/box.h"
+#include "boxwood/core/float_bits.h"
+#include "boxwood/core/ray.h"
+#include "boxwood/query/kernels/ray_kernels.h"
+#include "boxwood/query/wide_tree.h"
+
+namespace boxwood {
+
+/// The ray as the tree sees it.
+class NearRay {
+public:
+    NearRay(const WideTree& tree, const Ray& ray) : scale_(tree.scale()) {
+        const int exponent = exponent_of(ray.direction.lpNorm<Eigen::Infinity>());
+        const Vec3d direction = ray.direction * power_of_two(-exponent);
+        stretch_ = power_of_two(exponent);
+
+        // The scene is less than a diagonal away from the middle of its bounds.
+        const Vec3d lo = tree.bounds().lo.cast<double>(), hi = tree.bounds().hi.cast<double>();
+        const double diagonal = (hi - lo).norm();
+        const double to_middle =
+            (0.5 * lo + 0.5 * hi - ray.origin).dot(direction) / direction.squaredNorm();
+        if (std::abs(to_middle) > 4 * diagonal)
+            shift_ = to_middle - std::copysign(2 * diagonal, to_middle);
+
+        const Vec3d origin = ray.origin + shift_ * direction;
+        const double moved = ray.origin.lpNorm<Eigen::Infinity>() + 2 * std::abs(shift_);
+        extra_rounding_ = shift_ == 0 ? 0 : rounded_up(0x1p-50 * moved * scale_);
+        for (int k = 0; k < 3; ++k) {
+            ray_.origin[k] = static_cast<float>(scale_ * origin[k]);
+            ray_.direction[k] = static_cast<float>(direction[k]);
+        }
+        ray_.t_min = -farthest(-ray.t_min, -1);
+        ray_.t_max = farthest(ray.t_max);
+    }
+
+    /// From so far away that moving the origin loses all digits, no triangle can be left out.
+    bool can_leave_out() const { return extra_rounding_ <= kMostRounding; }
+    const Rayf& ray() const { return ray_; }
+    float extra_rounding() const { return extra_rounding_; }
+
+    /// A distance no hit at t is beyond.
+    float farthest(double t, int sign = 1) const {
+        return rounded_up((t * stretch_ - sign * shift_) * scale_ + extra_rounding_);
+    }
+
+private:
+    static constexpr float kMostRounding = 0x1p57f;
+
+    Rayf ray_;
+    double scale_;
+    double stretch_;  ///< what a unit of t is in the units of ray_, before the scale
+    double shift_ = 0;
+    float extra_rounding_;
+};
+
+/// Calls visit(triangle) for each triangle that the ray may hit, some twice where a builder splits
+/// triangles. It returns near.farthest() of what is of interest yet; minus infinity ends the walk.
+template <class Visit>
+void visit_candidates(const WideTree& tree, const NearRay& near, Visit& visit) noexcept {
+    const CandidateVisitor visitor = {
+        .context = &visit,
+        .visit = [](void* context, const std::uint32_t* triangles, unsigned mask) noexcept {
+            Visit& each = *static_cast<Visit*>(context);
+            float farthest = 0;
+            for (; mask != 0; mask &= mask - 1) farthest = each(triangles[__builtin_ctz(mask)]);
+            return farthest;
+        }};
+    ray_kernels(tree.instruction_set())
+        .walk_candidates(tree.view(), near.ray(), near.extra_rounding(), visitor);
+}
+
+}  // namespace boxwood
