@@ -14,6 +14,7 @@
 #include "boxwood/query/closest_point.h"
 #include "boxwood/query/overlaps.h"
 #include "boxwood/query/refit.h"
+#include "boxwood/query/wide_fault.h"
 #include "boxwood/query/wide_hits.h"
 #include "laws/all_trees.h"
 #include "laws/float_oracle.h"
@@ -93,7 +94,10 @@ TEST_P(RefitLaws, rays_see_the_moved_mesh) {
     std::vector<NamedTree> trees = all_trees(mesh);
     for (const Move& move : kMoves) {
         const TriangleMesh moved = after(move, mesh);
-        for (auto& [name, tree] : trees) refit(tree, moved);
+        for (auto& [name, tree] : trees) {
+            refit(tree, moved);
+            ASSERT_EQ(find_fault(tree.parts()).value_or("none"), "none") << name << move.name;
+        }
         for (std::uint64_t seed = 0; seed < 60; ++seed) {
             const Ray ray = random_ray(moved, seed);
             const auto expected = closest_hit_brute_force(moved, ray);

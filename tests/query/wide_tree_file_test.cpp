@@ -123,6 +123,17 @@ TEST_F(WideTreeFile, is_refitted_in_memory) {
               opened.parts().cost_at_build);
 }
 
+TEST_F(WideTreeFile, keeps_a_tree_in_which_nothing_is_finite_for_now) {
+    TriangleMesh nothing = mesh_;
+    for (Vec3d& vertex : nothing.vertices) vertex.x() = NAN;
+    refit(tree_, nothing);
+    save_wide_tree(tree_, nothing, path_);
+    WideTree opened = open_wide_tree(path_, nothing);
+    EXPECT_TRUE(opened.is_empty());
+    refit(opened, mesh_);
+    EXPECT_TRUE(closest_hit(mesh_, opened, {.origin = {0, 0, -3}, .direction = {0.01, 0, 1}}));
+}
+
 TEST_F(WideTreeFile, cut_anywhere_is_refused) {
     const std::size_t tree = field<std::uint64_t>(72);
     const std::size_t left_out = 144 + 4 * field<std::uint64_t>(88);

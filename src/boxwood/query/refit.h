@@ -11,7 +11,8 @@ struct RefitQuality {
     double cost_at_build = 0;
     double cost = 0;
 
-    /// 1 as built. From about 1.3 on a new tree pays; see docs/algorithms/refit.md.
+    /// 1 as built. About the most that a new tree can win, less where triangles themselves have
+    /// grown: below 1.3 it seldom pays. See docs/algorithms/refit.md.
     double ratio() const { return cost_at_build > 0 ? cost / cost_at_build : 1; }
 };
 
