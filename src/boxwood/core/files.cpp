@@ -22,7 +22,7 @@ IoError system_error(const fs::path& path) { return {path.string(), std::strerro
 
 }  // namespace
 
-MappedFile::MappedFile(const fs::path& path) {
+MappedFile::MappedFile(const fs::path& path, FileAccess access) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) throw system_error(path);
     struct stat status = {};
@@ -40,7 +40,7 @@ MappedFile::MappedFile(const fs::path& path) {
         close(file);
         errno = mapping_error;
         if (memory == MAP_FAILED) throw system_error(path);
-        madvise(memory, size_, MADV_SEQUENTIAL);
+        if (access == FileAccess::sequential) madvise(memory, size_, MADV_SEQUENTIAL);
         data_ = static_cast<const char*>(memory);
     } else {
         close(file);

@@ -10,11 +10,16 @@
 
 namespace boxwood {
 
-/// A whole file as read-only memory, mapped where the system can. Move-only.
+/// Whether a file is read from front to back, once, or here and there.
+enum class FileAccess { sequential, random };
+
+/// A whole file as read-only memory, mapped where the system can: pages are read when they are
+/// touched and shared with other processes. Nobody may shorten the file meanwhile. Move-only.
 class MappedFile {
 public:
     /// Throws IoError when the path isn't a regular file that can be read.
-    explicit MappedFile(const std::filesystem::path& path);
+    explicit MappedFile(const std::filesystem::path& path,
+                        FileAccess access = FileAccess::sequential);
     ~MappedFile();
     MappedFile(MappedFile&& other) noexcept;
     MappedFile& operator=(MappedFile&& other) noexcept;

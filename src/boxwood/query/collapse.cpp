@@ -16,22 +16,22 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/query/wide_cost.h"
 #include "boxwood/query/wide_node.h"
 #include "boxwood/query/write_block.h"
+#include "boxwood/query/write_node.h"
 #include "boxwood/tree/bound_depth.h"
 
 namespace boxwood {
 
 namespace {
 
-/// Costs of a visit to a node and to a leaf, as measured.
-constexpr float kNodeCost = 1;
-constexpr float kBlockCost = 0.8f;
 /// Where one block will do, several have to bring the cost down to this share: memory costs as
 /// well.
 constexpr float kWorthMoreBlocks = 0.75f;
@@ -63,11 +63,15 @@ public:
     std::optional<Collapsed> run() {
         if (!plan(0, 0)) return std::nullopt;
         Collapsed result;
-        result.cost = cost(0, 1);
+        // The root is a node, whatever is cheaper.
+        result.cost = cost(0, 1) + (plans_[0].is_leaf && inverse_area_ > 0 ? kNodeCost : 0);
         result.memory = Arena(measure(0));
         result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
         emit(0, 0);
+        std::sort(left_out_.begin(), left_out_.end());
+        left_out_.erase(std::unique(left_out_.begin(), left_out_.end()), left_out_.end());
+        result.left_out = std::move(left_out_);
         return result;
     }
 
@@ -154,7 +158,7 @@ private:
 
     /// The children of the wide node that stands for this one, by their area. The root is a node
     /// even when all of the tree fits into a block, which then is its child.
-    Children children_of(std::uint32_t index) const {
+    Children children_of(std::uint32_t index) {
         Children opened;
         if (plans_[index].is_leaf) {
             opened.add(index);
@@ -166,7 +170,10 @@ private:
         for (int i = 0; i < opened.count; ++i) {
             const std::uint32_t child = opened.node[i];
             // What nothing hits needs no place.
-            if (tree_.nodes[child].box.is_empty()) continue;
+            if (tree_.nodes[child].box.is_empty()) {
+                leave_out_below(child);
+                continue;
+            }
             const float area = relative_area(tree_.nodes[child]);
             int place = children.count++;
             for (; place > 0 && areas[place - 1] > area; --place) {
@@ -233,7 +240,8 @@ private:
                 BlockTriangles<N> triangles;
                 gather(child, triangles);
                 triangles.sort();
-                plans_[child].units = units(compact_block_bytes(mesh_, triangles));
+                plans_[child].units =
+                    units(compact_block_bytes(BlockVertices<N>(mesh_, triangles)));
             }
         });
         std::size_t bytes = sizeof(WideNode<N>);
@@ -267,8 +275,7 @@ private:
                 next += units(bytes_of(child));
             }
         }
-        write_boxes(index, *node);
-        write_order(index, *node);
+        emit_boxes(index, *node);
         emit_blocks(index, *node);
         for_each_child(index, [&](std::size_t i) {
             const std::uint32_t child = children(index)[i];
@@ -276,7 +283,7 @@ private:
         });
     }
 
-    void emit_blocks(std::uint32_t index, const WideNode<N>& node) const {
+    void emit_blocks(std::uint32_t index, const WideNode<N>& node) {
         std::array<BlockTriangles<N>, N> blocks;
         std::array<WideReference, N> places;
         int count = 0;
@@ -289,48 +296,55 @@ private:
         for (int i = 0; i < count; ++i) {
             if (i + 1 < count) blocks[i + 1].fetch_vertices(mesh_);
             blocks[i].sort();
-            std::byte* place = memory_ + byte_offset(places[i]);
-            if (compact_) {
-                write_compact_block(mesh_, scale_, blocks[i], *new (place) CompactBlock<N>);
-            } else {
-                write_block(mesh_, scale_, blocks[i], *new (place) TriangleBlock<N>);
-            }
+            if (emit_block(blocks[i], places[i])) continue;
+            leave_out(blocks[i]);
+            emit_block(blocks[i], places[i]);
         }
     }
 
-    void write_boxes(std::uint32_t index, WideNode<N>& node) const {
-        const int count = plans_[index].children;
+    /// False when it has triangles that nothing hits.
+    bool emit_block(const BlockTriangles<N>& triangles, WideReference reference) const {
+        std::byte* place = memory_ + byte_offset(reference);
+        if (!compact_) return write_block(mesh_, scale_, triangles, *new (place) TriangleBlock<N>);
+        const BlockVertices<N> vertices(mesh_, triangles);
+        return write_compact_block(mesh_, scale_, triangles, vertices,
+                                   *new (place) CompactBlock<N>);
+    }
+
+    void emit_boxes(std::uint32_t index, WideNode<N>& node) const {
+        std::array<Box3f, N> boxes;
         for (int i = 0; i < N; ++i) {
-            const Box3f box = i < count ? tree_.nodes[children(index)[i]].box : Box3f{};
-            for (int k = 0; k < 3; ++k) {
-                node.slabs[k].lo[i] = scale_ * box.lo[k];
-                node.slabs[k].hi[i] = scale_ * box.hi[k];
+            if (i < plans_[index].children) {
+                boxes[i] = tree_.nodes[children(index)[i]].box;
+            } else {
+                node.child[i] = 0;
             }
-            if (i >= count) node.child[i] = 0;
         }
+        write_boxes<N>(boxes, scale_, node);
     }
 
-    void write_order(std::uint32_t index, WideNode<N>& node) const {
-        const int count = plans_[index].children;
-        std::array<Vec3f, N> center;
-        for (int i = 0; i < count; ++i) center[i] = tree_.nodes[children(index)[i]].box.centroid();
-        std::fill(node.order, node.order + N, 0);
-        // Rays of the opposite octant meet them the other way round.
-        for (std::uint32_t octant = 0; octant < 4; ++octant) {
-            alignas(4 * N) float distance[N];
-            std::fill_n(distance, N, std::numeric_limits<float>::infinity());
-            for (int i = 0; i < count; ++i)
-                distance[i] = (octant & 1 ? -center[i][0] : center[i][0]) +
-                              (octant & 2 ? -center[i][1] : center[i][1]) + center[i][2];
-            for (int i = 0; i < N; ++i) {
-                // How many are nearer; of equally near ones, how many come before it.
-                int rank = 0;
-                for (int j = 0; j < N; ++j) rank += distance[j] < distance[i];
-                for (int j = 0; j < i; ++j) rank += distance[j] == distance[i];
-                const int from_far = i < count ? count - 1 - rank : rank;
-                node.order[from_far] |= static_cast<std::uint32_t>(i) << (4 * octant);
-                node.order[rank] |= static_cast<std::uint32_t>(i) << (4 * (7 - octant));
+    void leave_out(BlockTriangles<N>& triangles) {
+        const std::lock_guard lock(left_out_mutex_);
+        int kept = 0;
+        for (int i = 0; i < triangles.count; ++i) {
+            if (is_in_float_range(mesh_, triangles.index[i])) {
+                triangles.index[kept++] = triangles.index[i];
+            } else {
+                left_out_.push_back(triangles.index[i]);
             }
+        }
+        triangles.count = kept;
+    }
+
+    void leave_out_below(std::uint32_t index) {
+        const Node& node = tree_.nodes[index];
+        if (node.is_leaf()) {
+            const std::lock_guard lock(left_out_mutex_);
+            const auto triangles = tree_.primitives(node);
+            left_out_.insert(left_out_.end(), triangles.begin(), triangles.end());
+        } else {
+            leave_out_below(node.left());
+            leave_out_below(node.right());
         }
     }
 
@@ -354,6 +368,8 @@ private:
     std::unique_ptr<Row[]> rows_;
     double inverse_area_;
     std::byte* memory_ = nullptr;
+    std::mutex left_out_mutex_;
+    std::vector<std::uint32_t> left_out_;
 };
 
 template <int N>

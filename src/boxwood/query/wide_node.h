@@ -24,8 +24,9 @@ BOXWOOD_KERNEL constexpr std::size_t byte_offset(WideReference reference) {
     return std::size_t{reference & ~kLeafBit} * kReferenceUnit;
 }
 
-/// An inner node. Children stand in the order of their surface area, the largest last: a ray that
-/// looks for any hit tries that first. Slots without a child have a box that nothing hits.
+/// An inner node. Children stand in the order that their surface areas had when the tree was built,
+/// the largest last: a ray that looks for any hit tries that first. Slots without a child have a
+/// box that nothing hits.
 template <int N>
 struct alignas(4 * N) WideNode {
     struct Slab {
@@ -39,7 +40,7 @@ struct alignas(4 * N) WideNode {
 };
 
 /// A leaf: up to N triangles in the order of their indices. Empty slots have NaN corners and the
-/// index Hitf::kNone.
+/// index Hitf::kNone; triangles that moved to where nothing is finite have NaN corners as well.
 template <int N>
 struct alignas(4 * N) TriangleBlock {
     float corner[3][3][N];  ///< [a, b, c][x, y, z]

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
-#include "boxwood/core/arena.h"
 #include "boxwood/core/box.h"
 #include "boxwood/core/simd.h"
 #include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/wide_memory.h"
 #include "boxwood/query/wide_node.h"
 #include "boxwood/tree/tree.h"
 
@@ -19,6 +21,25 @@ struct WideTreeOptions {
     bool compact = false;
 };
 
+/// What a wide tree consists of. Who changes it keeps to what its readers rely on.
+struct WideTreeParts {
+    InstructionSet instruction_set = InstructionSet::scalar;
+    WideMemory memory;  ///< as query/wide_node.h and query/wide_layout.h say
+    bool is_compact = false;
+    int stack_size = 0;  ///< places that a walk needs at most to remember nodes
+    Box3f bounds;
+    float scale = 1;
+    double cost = 0;
+    double cost_at_build = 0;  ///< the same before anything was refitted
+    std::size_t faces = 0;     ///< of the mesh
+    /// Triangles that have no place in the tree, as a corner wasn't finite or was beyond the range
+    /// of float when it was built; in order.
+    std::vector<std::uint32_t> left_out;
+};
+
+/// The power of two that a tree with these bounds has as its scale.
+float scale_for(const Box3f& bounds);
+
 /// The fast form of a tree over the triangles of a mesh: nodes with 4, 8 or 16 children, and leaves
 /// with copies of the triangles in float. It refers to nothing else. What its queries see is the
 /// mesh with vertices rounded to float.
@@ -30,28 +51,30 @@ public:
     /// Preconditions: a valid tree over the mesh's triangles, no leaf of more than `width` of them.
     WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options = {});
 
-    int width() const { return lanes(instruction_set_); }
-    InstructionSet instruction_set() const { return instruction_set_; }
-    bool is_compact() const { return view_.is_compact; }
-    bool is_empty() const { return memory_.size() == 0; }
-    std::size_t bytes() const { return memory_.size(); }
-    const Box3f& bounds() const { return bounds_; }
+    explicit WideTree(WideTreeParts parts);
+    const WideTreeParts& parts() const { return parts_; }
+    /// Leaves an empty tree.
+    WideTreeParts release();
+
+    int width() const { return lanes(parts_.instruction_set); }
+    InstructionSet instruction_set() const { return parts_.instruction_set; }
+    bool is_compact() const { return parts_.is_compact; }
+    /// Whether nothing in it can be hit.
+    bool is_empty() const { return view_.bytes == 0; }
+    std::size_t bytes() const { return parts_.memory.size(); }
+    const Box3f& bounds() const { return parts_.bounds; }
     /// The power of two by which all coordinates are multiplied in the tree: 1 but for meshes so
     /// small or so large that float arithmetic on them would lose digits or overflow.
-    float scale() const { return scale_; }
+    float scale() const { return parts_.scale; }
     /// What a random line through the bounds is expected to cost, in node visits.
-    double cost() const { return cost_; }
+    double cost() const { return parts_.cost; }
 
-    /// What kernels walk: the root is at its start.
+    /// What kernels walk: the root is at its start. No bytes where the tree is empty.
     const WideTreeView& view() const { return view_; }
 
 private:
-    InstructionSet instruction_set_ = InstructionSet::scalar;
-    Arena memory_;
+    WideTreeParts parts_;
     WideTreeView view_;
-    Box3f bounds_;
-    float scale_ = 1;
-    double cost_ = 0;
 };
 
 }  // namespace boxwood

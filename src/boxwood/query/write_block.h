@@ -5,6 +5,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -59,24 +60,27 @@ inline bool is_in_float_range(const MeshView& mesh, std::uint32_t triangle) {
 
 constexpr std::uint32_t kEmptySlot = std::numeric_limits<std::uint32_t>::max();
 
-/// Writes the triangles, multiplied by scale, but for those with a corner that is not finite or
-/// beyond the range of float.
+/// Writes the triangles, multiplied by scale. Those with a corner that is not finite or beyond the
+/// range of float get NaN corners, which nothing hits; false when there are any.
 template <int N>
-void write_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
+bool write_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
                  TriangleBlock<N>& block) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     if (triangles.count < N) std::fill_n(&block.corner[0][0][0], 9 * N, kNaN);
     std::fill_n(block.triangle, N, kEmptySlot);
+    bool all_in_range = true;
     for (int i = 0; i < triangles.count; ++i) {
         const std::uint32_t triangle = triangles.index[i];
         const bool is_in_range = is_in_float_range(mesh, triangle);
-        if (is_in_range) block.triangle[i] = triangle;
+        all_in_range &= is_in_range;
+        block.triangle[i] = triangle;
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3d& p = mesh.corner(triangle, corner);
             for (int k = 0; k < 3; ++k)
                 block.corner[corner][k][i] = is_in_range ? static_cast<float>(scale * p[k]) : kNaN;
         }
     }
+    return all_in_range;
 }
 
 /// The vertices of a compact block, each once; the first is for empty slots.
@@ -104,34 +108,39 @@ struct BlockVertices {
 
 /// As places and the alignment of nodes have it.
 template <int N>
-std::size_t compact_block_bytes(const MeshView& mesh, const BlockTriangles<N>& triangles) {
-    const auto count = static_cast<std::size_t>(BlockVertices<N>(mesh, triangles).count);
-    const std::size_t bytes = 7 * N + 3 * sizeof(float) * count;
+std::size_t compact_block_bytes(const BlockVertices<N>& vertices) {
+    const std::size_t bytes = 7 * N + 3 * sizeof(float) * static_cast<std::size_t>(vertices.count);
     constexpr std::size_t kUnit = std::max(kReferenceUnit, alignof(WideNode<N>));
     return (bytes + kUnit - 1) / kUnit * kUnit;
 }
 
-/// The same as write_block(), with each vertex once.
+/// The same as write_block(), with each vertex once. Precondition: the vertices of these triangles.
 template <int N>
-void write_compact_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
-                         CompactBlock<N>& block) {
-    const BlockVertices<N> vertices(mesh, triangles);
+bool write_compact_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
+                         const BlockVertices<N>& vertices, CompactBlock<N>& block) {
     float* place = block.vertices();
     for (int k = 0; k < 3; ++k) *place++ = std::numeric_limits<float>::quiet_NaN();
     for (int i = 1; i < vertices.count; ++i) {
         for (int k = 0; k < 3; ++k)
             *place++ = static_cast<float>(scale * mesh.vertices[vertices.index[i]][k]);
     }
+    // Files hold the rest as well, so it is to be the same each time.
+    std::byte* end = reinterpret_cast<std::byte*>(&block) + compact_block_bytes(vertices);
+    std::fill(reinterpret_cast<std::byte*>(place), end, std::byte{0});
     std::fill_n(block.triangle, N, kEmptySlot);
     std::fill_n(&block.corner[0][0], 3 * N, std::uint8_t{0});
+    bool all_in_range = true;
     for (int i = 0; i < triangles.count; ++i) {
         const std::uint32_t triangle = triangles.index[i];
-        if (!is_in_float_range(mesh, triangle)) continue;
         block.triangle[i] = triangle;
+        const bool is_in_range = is_in_float_range(mesh, triangle);
+        all_in_range &= is_in_range;
+        if (!is_in_range) continue;
         for (int corner = 0; corner < 3; ++corner)
             block.corner[corner][i] =
                 static_cast<std::uint8_t>(vertices.place_of(mesh.faces[triangle][corner]));
     }
+    return all_in_range;
 }
 
 }  // namespace boxwood
