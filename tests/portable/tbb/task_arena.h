@@ -3,10 +3,12 @@
 
 namespace tbb::this_task_arena {
 
-/// Stands in for TBB's, on one thread.
+// Stand in for TBB's, on one thread.
 template <class Function>
 void isolate(const Function& function) {
     function();
 }
+
+inline int max_concurrency() { return 1; }
 
 }  // namespace tbb::this_task_arena
