@@ -263,10 +263,10 @@ std::vector<Line> read_lines(const fs::path& root, const fs::path& file) {
     return lines;
 }
 
-std::vector<Line> project_lines() {
+std::vector<Line> lines_below(const std::vector<const char*>& folders) {
     const fs::path root = BOXWOOD_SOURCE_DIR;
     std::vector<Line> lines;
-    for (const char* folder : {"src", "apps"}) {
+    for (const char* folder : folders) {
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
             const fs::path extension = entry.path().extension();
             if (extension != ".h" && extension != ".cpp" && extension != ".py") continue;
@@ -277,8 +277,66 @@ std::vector<Line> project_lines() {
     return lines;
 }
 
+/// Types that are defined twice under one name, outside of unnamed namespaces. Each file compiles,
+/// yet the program mixes them up.
+std::vector<std::string> types_defined_twice(const std::vector<Line>& lines) {
+    std::map<std::string, std::string> places;
+    std::vector<std::string> twice, namespaces;
+    for (const Line& line : lines) {
+        if (line.number == 1) namespaces.clear();
+        if (matches(line.code, R"(^namespace\b[^;=]*\{$)"))
+            namespaces.push_back(capture(line.code, R"(^namespace (.*\S)? ?\{$)"));
+        if (matches(line.text, R"(^\}  // namespace)") && !namespaces.empty())
+            namespaces.pop_back();
+        const std::string type =
+            capture(line.code,
+                    R"(^(?:struct|class|enum class) (?:alignas\([^)]*\) )?([A-Z]\w*)(?: .*)?\{)");
+        if (type.empty()) continue;
+        std::string name;
+        bool is_private = false;
+        for (const std::string& space : namespaces) {
+            is_private = is_private || space.empty();
+            name += space + "::";
+        }
+        const std::string place = line.path + ":" + std::to_string(line.number);
+        if (is_private) continue;
+        const auto [first, is_new] = places.emplace(name + type, place);
+        // In one file they are alternatives.
+        if (!is_new && !first->second.starts_with(line.path + ":"))
+            twice.push_back(place + ": " + type + " is there already: " + first->second);
+    }
+    return twice;
+}
+
+TEST(Architecture, no_two_types_have_one_name) {
+    for (const std::string& fault :
+         types_defined_twice(lines_below({"src", "apps", "tests", "bench"})))
+        ADD_FAILURE() << fault;
+}
+
+TEST(Architecture, types_of_one_name_are_found) {
+    const auto file = [](const char* path, const std::vector<const char*>& texts) {
+        std::vector<Line> lines;
+        for (const char* text : texts) lines.push_back({path, lines.size() + 1, text, text});
+        return lines;
+    };
+    std::vector<Line> lines =
+        file("a.h", {"namespace a {", "struct Box {", "};", "}  // namespace a"});
+    const auto with = [&](const std::vector<const char*>& texts) {
+        std::vector<Line> all = lines, more = file("b.h", texts);
+        all.insert(all.end(), more.begin(), more.end());
+        return types_defined_twice(all).size();
+    };
+    EXPECT_EQ(with({"namespace a {", "class Box : public Thing {"}), 1u);
+    EXPECT_EQ(with({"namespace a {", "struct alignas(16) Box {"}), 1u);
+    EXPECT_EQ(with({"namespace a {", "struct Box;"}), 0u);
+    EXPECT_EQ(with({"namespace a {", "namespace {", "struct Box {"}), 0u);
+    EXPECT_EQ(with({"namespace a::b {", "struct Box {"}), 0u);
+    EXPECT_EQ(with({"namespace a {", "    struct Box {"}), 0u);
+}
+
 TEST(Architecture, every_line_keeps_every_rule) {
-    const std::vector<Line> lines = project_lines();
+    const std::vector<Line> lines = lines_below({"src", "apps"});
     ASSERT_GT(lines.size(), 1000u) << "these can't be all the sources";
     for (const Line& line : lines)
         for (const Rule& rule : rules())

@@ -17,16 +17,9 @@
 #include "laws/point_families.h"
 
 namespace boxwood {
-
-struct ClosedMesh {
-    std::string name;
-    TriangleMesh (*make)();
-};
-static void PrintTo(const ClosedMesh& mesh, std::ostream* out) { *out << mesh.name; }
-
 namespace {
 
-const ClosedMesh kClosedMeshes[] = {
+const MeshFamily kClosedMeshes[] = {
     {"cube", [] { return subdivided_cube(4); }},
     {"icosphere", [] { return generate_icosphere(1280); }},
     {"torus_knot", [] { return generate_torus_knot(2000); }},
@@ -45,7 +38,7 @@ const ClosedMesh kClosedMeshes[] = {
      }},
 };
 
-class SignLaws : public testing::TestWithParam<ClosedMesh> {};
+class SignLaws : public testing::TestWithParam<MeshFamily> {};
 
 TEST_P(SignLaws, every_method_agrees_with_the_exact_winding_number) {
     const TriangleMesh mesh = GetParam().make();

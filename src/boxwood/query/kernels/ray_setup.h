@@ -85,7 +85,7 @@ struct RaySetup {
                     z = __builtin_fabsf(ray.direction[2]);
         constexpr std::uint8_t kNext[] = {1, 2, 0};
         kz = static_cast<std::uint32_t>(y > x);
-        kz = (z > x) & (z > y) ? 2 : kz;
+        kz = ((z > x) & (z > y)) ? 2 : kz;
         kx = kNext[kz];
         ky = kNext[kx];
         ox = ray.origin[kx];
