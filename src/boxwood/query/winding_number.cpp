@@ -66,7 +66,7 @@ private:
     }
 
     Node summed_up(std::uint32_t first, std::uint32_t count) {
-        Node node = {};
+        Node node;
         node.first = first;
         node.count = count;
         double area = 0;

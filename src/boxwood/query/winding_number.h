@@ -26,15 +26,15 @@ public:
     /// The triangles from `first` on, as seen from far away: the Taylor expansion of their solid
     /// angle about `center`.
     struct Node {
-        Vec3d center;
-        double squared_radius;
-        Vec3d dipole;                  ///< the sum of area times normal
-        std::array<double, 6> linear;  ///< xx, yy, zz, xy, yz, zx
-        Vec3d quadratic;               ///< what falls with the fifth power of distance
-        std::array<double, 10> cubic;  ///< xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy, xyz
-        std::uint32_t first, count;    ///< triangles
-        std::uint32_t after;           ///< the next node that isn't below this one
-        bool is_leaf;
+        Vec3d center = Vec3d::Zero();
+        double squared_radius = 0;
+        Vec3d dipole = Vec3d::Zero();        ///< the sum of area times normal
+        std::array<double, 6> linear = {};   ///< xx, yy, zz, xy, yz, zx
+        Vec3d quadratic = Vec3d::Zero();     ///< what falls with the fifth power of distance
+        std::array<double, 10> cubic = {};   ///< xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy, xyz
+        std::uint32_t first = 0, count = 0;  ///< triangles
+        std::uint32_t after = 0;             ///< the next node that isn't below this one
+        bool is_leaf = false;
     };
 
     /// Precondition: indices in range.
