@@ -167,13 +167,9 @@ int main(int argc, char** argv) {
     app.add_option("--most-quadratic", options.most_quadratic,
                    "triangles up to which agglomerative takes part")
         ->capture_default_str();
-    app.add_option("--rays", options.rays.count, "rays of each kind")
-        ->check(CLI::Range(1, 100'000'000))
-        ->capture_default_str();
-    app.add_option("--passes", options.passes, "passes to take the median of")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    bench::add_rays_option(app, options.rays);
+    bench::add_passes_option(app, options.passes);
     app.add_flag("--check-hits", options.check_hits, "exit with 1 when a hit isn't the exact one");
-    app.add_option("--json", options.json, "a file for all results");
+    bench::add_json_option(app, options.json);
     return bench::run_benchmark(app, argc, argv, [&] { return bench::run(options); });
 }

@@ -189,16 +189,12 @@ int main(int argc, char** argv) {
         ->delimiter(',')
         ->check(CLI::IsMember({"primary", "diffuse", "random"}))
         ->capture_default_str();
-    app.add_option("--rays", options.rays.count, "rays of each kind")
-        ->check(CLI::Range(1, 100'000'000))
-        ->capture_default_str();
-    app.add_option("--passes", options.passes, "passes to take the median of")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_flag("--check", options.check, "exit with 1 when a target isn't reached");
+    boxwood::bench::add_rays_option(app, options.rays);
+    boxwood::bench::add_passes_option(app, options.passes);
+    boxwood::bench::add_check_option(app, options.check);
     app.add_flag("--check-hits", options.check_hits,
                  "exit with 1 when a hit in double differs from the exact one");
-    app.add_option("--json", options.json, "a file for all results");
+    boxwood::bench::add_json_option(app, options.json);
     return boxwood::bench::run_benchmark(app, argc, argv,
                                          [&] { return boxwood::bench::run(options); });
 }

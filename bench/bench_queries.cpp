@@ -214,13 +214,11 @@ int main(int argc, char** argv) {
     app.add_option("--points", options.points, "points of each kind")
         ->check(CLI::Range(1, 100'000'000))
         ->capture_default_str();
-    app.add_option("--passes", options.passes, "passes to take the median of")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_flag("--check", options.check, "exit with 1 when a target isn't reached");
+    boxwood::bench::add_passes_option(app, options.passes);
+    boxwood::bench::add_check_option(app, options.check);
     app.add_flag("--check-answers", options.check_answers,
                  "exit with 1 when Boxwood's ways of asking differ");
-    app.add_option("--json", options.json, "a file for all results");
+    boxwood::bench::add_json_option(app, options.json);
     return boxwood::bench::run_benchmark(app, argc, argv,
                                          [&] { return boxwood::bench::run(options); });
 }

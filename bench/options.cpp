@@ -43,20 +43,36 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
         ->delimiter(',')
         ->check(CLI::IsMember({"primary", "ao", "diffuse", "random"}))
         ->capture_default_str();
-    app.add_option("--rays", options.rays.count, "rays of each kind")
-        ->check(CLI::Range(1, 100'000'000))
-        ->capture_default_str();
+    add_rays_option(app, options.rays);
     app.add_option("--tile", options.rays.tile,
                    "side of the tiles in which primary rays come, in pixels; 1: row by row")
         ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64, 128, 256}))
         ->capture_default_str();
-    app.add_option("--passes", options.passes, "passes to take the median of")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_flag("--check", options.check, "exit with 1 when a target isn't reached");
+    add_passes_option(app, options.passes);
+    add_check_option(app, options.check);
     app.add_flag("--check-hits", options.check_hits,
                  "exit with 1 when somebody's hits differ from the exact ones");
-    app.add_option("--json", options.json, "a file for all results");
+    add_json_option(app, options.json);
+}
+
+void add_rays_option(CLI::App& app, RayOptions& options) {
+    app.add_option("--rays", options.count, "rays of each kind")
+        ->check(CLI::Range(1, 100'000'000))
+        ->capture_default_str();
+}
+
+void add_passes_option(CLI::App& app, int& passes) {
+    app.add_option("--passes", passes, "passes to take the median of")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+}
+
+void add_check_option(CLI::App& app, bool& check) {
+    app.add_flag("--check", check, "exit with 1 when a target isn't reached");
+}
+
+void add_json_option(CLI::App& app, std::string& file) {
+    app.add_option("--json", file, "a file for all results");
 }
 
 int finish(const CommonOptions& options, const std::vector<Target>& targets,

@@ -26,6 +26,12 @@ struct CommonOptions {
 
 void add_common_options(CLI::App& app, CommonOptions& options);
 
+// Options that every benchmark has, common ones or not.
+void add_rays_option(CLI::App& app, RayOptions& options);
+void add_passes_option(CLI::App& app, int& passes);
+void add_check_option(CLI::App& app, bool& check);
+void add_json_option(CLI::App& app, std::string& file);
+
 /// Prints the targets, writes the JSON, and tells the program's exit code.
 int finish(const CommonOptions& options, const std::vector<Target>& targets,
            const std::vector<Score>& scores, const nlohmann::ordered_json& details);

@@ -17,6 +17,7 @@
 #include "boxwood/query/wide_fault.h"
 #include "boxwood/query/wide_hits.h"
 #include "laws/all_trees.h"
+#include "laws/float_hits.h"
 #include "laws/float_oracle.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -69,22 +70,6 @@ TriangleMesh after(const Move& move, const TriangleMesh& mesh) {
         if (is_in_range(vertex)) vertex = move.place(vertex, random);
     }
     return result;
-}
-
-Rayf in_float(const Ray& ray) {
-    Rayf result;
-    for (int k = 0; k < 3; ++k) {
-        result.origin[k] = static_cast<float>(ray.origin[k]);
-        result.direction[k] = static_cast<float>(ray.direction[k]);
-    }
-    result.t_min = static_cast<float>(ray.t_min);
-    result.t_max = static_cast<float>(ray.t_max);
-    return result;
-}
-
-bool have_same_bits(const std::optional<Hitf>& a, const std::optional<Hitf>& b) {
-    if (!a || !b) return a.has_value() == b.has_value();
-    return std::memcmp(&*a, &*b, sizeof(Hitf)) == 0;
 }
 
 class RefitLaws : public testing::TestWithParam<MeshFamily> {};
