@@ -60,7 +60,7 @@ void time_build(const BenchMesh& mesh, Entry& entry) {
     entry.scene.reset();
     const double start = processor_seconds();
     if (entry.is_preset())
-        entry.scene.emplace(std::vector<MeshView>{mesh.exact}, entry.options);
+        entry.scene.emplace(std::vector<SceneMesh>{mesh.exact}, entry.options);
     else
         build_tree(mesh.exact, *entry.options.build);
     entry.build_seconds.push_back(processor_seconds() - start);

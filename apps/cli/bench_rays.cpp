@@ -39,12 +39,12 @@ std::vector<Ray> ambient_occlusion_rays(const Scene& scene, const std::vector<Ra
     for (const Ray& ray : primary) {
         const auto hit = scene.closest_hit(ray);
         if (!hit) continue;
-        Vec3d normal = geometric_normal(scene.meshes()[hit->mesh], hit->triangle);
+        Vec3d normal = scene.geometric_normal(*hit);
         if (normal.dot(ray.direction) > 0) normal = -normal;
         starts.push_back({.origin = ray.at(hit->t),
                           .direction = normal,
                           .t_max = radius,
-                          .skip = {hit->mesh, hit->triangle}});
+                          .skip = {hit->instance, hit->triangle}});
     }
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count && !starts.empty(); ++i) {

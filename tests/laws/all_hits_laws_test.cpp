@@ -62,7 +62,7 @@ TEST_P(AllHitsLaws, first_k_hits_are_the_first_of_all) {
             std::vector<Hit> expected = all;
             expected.resize(k);
             for (const auto& [name, tree] : trees) {
-                std::vector<Hit> found(k, Hit{.t = -1, .triangle = 5, .mesh = 7});
+                std::vector<Hit> found(k, Hit{.t = -1, .triangle = 5, .instance = 7});
                 ASSERT_EQ(first_k_hits(mesh, tree, ray, found), std::min(k, all.size()))
                     << name << ", seed " << seed << ", k " << k;
                 ASSERT_TRUE(are_identical(found, expected))

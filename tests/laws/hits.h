@@ -18,7 +18,7 @@ inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)
 inline bool are_identical(const std::optional<Hit>& a, const std::optional<Hit>& b) {
     if (!a || !b) return a.has_value() == b.has_value();
     return same_bits(a->t, b->t) && same_bits(a->u, b->u) && same_bits(a->v, b->v) &&
-           a->triangle == b->triangle && a->mesh == b->mesh;
+           a->triangle == b->triangle && a->instance == b->instance;
 }
 
 inline bool are_identical(const Tree& a, const Tree& b) {
@@ -33,7 +33,7 @@ inline bool are_identical(const Tree& a, const Tree& b) {
 // How failed tests show these.
 inline void PrintTo(const Hit& hit, std::ostream* out) {
     *out << "t " << hit.t << " u " << hit.u << " v " << hit.v << " triangle " << hit.triangle
-         << " mesh " << hit.mesh;
+         << " instance " << hit.instance;
 }
 inline void PrintTo(const Ray& ray, std::ostream* out) {
     const auto precision = out->precision(17);

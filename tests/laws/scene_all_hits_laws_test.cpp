@@ -33,9 +33,9 @@ std::vector<Hit> crossings_of_all(const std::vector<TriangleMesh>& meshes, const
     std::vector<Hit> all;
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
         Ray ray_in_mesh = ray;
-        if (ray.skip.mesh != i) ray_in_mesh.skip = {};
+        if (ray.skip.instance != i) ray_in_mesh.skip = {};
         for (Hit hit : crossings_by_oracle(meshes[i], ray_in_mesh)) {
-            hit.mesh = i;
+            hit.instance = i;
             all.push_back(hit);
         }
     }
@@ -49,7 +49,7 @@ std::vector<Ray> some_rays(const std::vector<TriangleMesh>& meshes, std::uint64_
         const std::size_t mesh = Random(seed).index(meshes.size());
         rays.push_back(random_ray(meshes[mesh], seed));
         if (rays.back().skip.triangle != TriangleId::kNone)
-            rays.back().skip.mesh = static_cast<std::uint32_t>(mesh);
+            rays.back().skip.instance = static_cast<std::uint32_t>(mesh);
     }
     return rays;
 }

@@ -30,7 +30,7 @@ std::vector<TriangleMesh> some_meshes() {
     return meshes;
 }
 
-std::vector<MeshView> views(const std::vector<TriangleMesh>& meshes) {
+std::vector<SceneMesh> views(const std::vector<TriangleMesh>& meshes) {
     return {meshes.begin(), meshes.end()};
 }
 
@@ -39,10 +39,10 @@ std::optional<Hit> closest_hit_of_all(const std::vector<TriangleMesh>& meshes, c
     std::optional<Hit> closest;
     for (std::uint32_t i = 0; i < meshes.size(); ++i) {
         Ray ray_in_mesh = ray;
-        if (ray.skip.mesh != i) ray_in_mesh.skip = {};
+        if (ray.skip.instance != i) ray_in_mesh.skip = {};
         auto hit = closest_hit_brute_force(meshes[i], ray_in_mesh);
         if (!hit) continue;
-        hit->mesh = i;
+        hit->instance = i;
         if (!closest || is_closer(*hit, *closest)) closest = hit;
     }
     return closest;
@@ -60,7 +60,7 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
         const std::size_t mesh = Random(seed).index(meshes.size());
         Ray ray = random_ray(meshes[mesh], seed);
         if (ray.skip.triangle != TriangleId::kNone)
-            ray.skip.mesh = static_cast<std::uint32_t>(mesh);
+            ray.skip.instance = static_cast<std::uint32_t>(mesh);
         for (int variant = 0; variant < 3; ++variant) {
             const auto expected = closest_hit_of_all(meshes, ray);
             for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
             if (!expected) break;
             ++hits;
             // On from there: the same triangle of a mesh that is the same may well be hit.
-            ray.skip = {expected->mesh, expected->triangle};
+            ray.skip = {expected->instance, expected->triangle};
             if (variant == 1) ray.origin = ray.at(expected->t);
         }
     }

@@ -36,7 +36,7 @@ TEST(AllHits, are_sorted_by_t_and_ties_by_triangle) {
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(hits[i].t, t[i]);
         EXPECT_EQ(hits[i].triangle, triangle[i]);
-        EXPECT_EQ(hits[i].mesh, 0u);
+        EXPECT_EQ(hits[i].instance, 0u);
     }
 }
 

@@ -131,7 +131,7 @@ Visits walk(const Traverse& traverse_with, MeshView mesh, const Tree& tree, cons
     const auto visit = [&](std::uint32_t triangle, double t_max) {
         visits.primitives.push_back(triangle);
         if (visits.primitives.size() == most) return kEndOfWalk;
-        const auto hit = MeshRay(mesh, ray).intersect(triangle, t_max);
+        const auto hit = MeshRay(MeshView(mesh), ray).intersect(triangle, t_max);
         return hit ? hit->t : t_max;
     };
     traverse_with(tree, ray, visit, &visits.counts);

@@ -45,7 +45,7 @@ TEST(Surfaces, mesh_hit_has_geometric_normal_and_material) {
     EXPECT_EQ(hit->t, 8);
     EXPECT_EQ(hit->normal, Vec3d(0, 0, 1));
     EXPECT_EQ(hit->material, &world.materials[1]);
-    EXPECT_EQ(hit->id.mesh, 0u);
+    EXPECT_EQ(hit->id.instance, 0u);
 }
 
 TEST(Surfaces, ray_that_goes_on_from_a_sphere_sees_its_far_side) {
@@ -58,7 +58,7 @@ TEST(Surfaces, ray_that_goes_on_from_a_sphere_sees_its_far_side) {
     EXPECT_DOUBLE_EQ(far->t, 2);
     const auto wall = surfaces.closest_hit({.origin = far->point, .skip = far->id});
     ASSERT_TRUE(wall);
-    EXPECT_EQ(wall->id.mesh, 0u);
+    EXPECT_EQ(wall->id.instance, 0u);
     EXPECT_FALSE(
         surfaces.any_hit({.origin = near->point, .direction = {0, 0, 1}, .skip = near->id}));
 }

@@ -38,7 +38,7 @@ TEST(SceneBatch, answers_are_those_of_brute_force_in_order_for_any_count_and_thr
         for (const std::size_t threads : {1, 2, 5}) {
             const ThreadLimit limit(threads);
             for (const bool here : {false, true}) {
-                std::vector<Hit> hits(count, Hit{.t = -1, .triangle = 7, .mesh = 9});
+                std::vector<Hit> hits(count, Hit{.t = -1, .triangle = 7, .instance = 9});
                 scene.closest_hits(rays, hits, {.on_this_thread = here});
                 const std::vector<bool> any = any_hits(scene, rays, {.on_this_thread = here});
                 for (std::size_t i = 0; i < count; ++i) {
@@ -54,7 +54,7 @@ TEST(SceneBatch, answers_are_those_of_brute_force_in_order_for_any_count_and_thr
 TEST(SceneBatch, scene_of_nothing_is_never_hit) {
     const Scene scene({});
     const std::vector<Ray> rays(5);
-    std::vector<Hit> hits(5, Hit{.t = 1, .triangle = 7, .mesh = 9});
+    std::vector<Hit> hits(5, Hit{.t = 1, .triangle = 7, .instance = 9});
     scene.closest_hits(rays, hits);
     for (const Hit& hit : hits) EXPECT_TRUE(are_identical(hit, Hit{}));
     EXPECT_EQ(any_hits(scene, rays), std::vector<bool>(5, false));

@@ -67,6 +67,11 @@ struct Box {
 using Box3f = Box<float>;
 using Box3d = Box<double>;
 
+/// The largest size of a coordinate. Precondition: it isn't empty.
+inline double largest_coordinate(const Box3f& box) {
+    return box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).maxCoeff();
+}
+
 /// The largest float that isn't above x, and the smallest that isn't below. Rounding to nearest
 /// keeps the sign, that of zero included, so one step of the bits from there is one towards or away
 /// from zero. No branches: nobody could predict where rounding goes.

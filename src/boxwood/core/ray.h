@@ -9,11 +9,12 @@
 
 namespace boxwood {
 
-/// Names a triangle of a scene: the mesh by its place in the scene, the triangle by its face index.
+/// Names a triangle of a scene: the instance by its place in the scene, the triangle by the face
+/// index in its mesh.
 struct TriangleId {
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t mesh = kNone;
+    std::uint32_t instance = kNone;
     std::uint32_t triangle = kNone;
 
     friend bool operator==(const TriangleId&, const TriangleId&) = default;
@@ -28,6 +29,8 @@ struct Ray {
     double t_max = std::numeric_limits<double>::infinity();
     /// A triangle that this ray doesn't see: the one it starts on, so that no epsilon is needed.
     TriangleId skip = {};
+    /// It sees the instances of a scene whose mask has a bit of it.
+    std::uint32_t visibility = ~std::uint32_t{0};
 
     Vec3d at(double t) const { return origin + t * direction; }
 };
@@ -40,16 +43,16 @@ struct Hit {
     double u = 0;
     double v = 0;
     std::uint32_t triangle = TriangleId::kNone;
-    std::uint32_t mesh = 0;
+    std::uint32_t instance = 0;
 
     bool is_hit() const { return triangle != TriangleId::kNone; }
 };
 
-/// The order of hits along a ray. Equal distances go to the lower (mesh, triangle) index, so that
+/// The order of hits along a ray. Equal distances go to the lower (instance, triangle) index, so that
 /// the closest hit doesn't depend on the order in which a tree is walked.
 inline bool is_closer(const Hit& a, const Hit& b) {
     if (a.t != b.t) return a.t < b.t;
-    return a.mesh != b.mesh ? a.mesh < b.mesh : a.triangle < b.triangle;
+    return a.instance != b.instance ? a.instance < b.instance : a.triangle < b.triangle;
 }
 
 /// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite,

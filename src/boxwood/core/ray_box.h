@@ -22,15 +22,17 @@ public:
     /// Where intersect() says that the ray misses the box.
     static constexpr double kMiss = std::numeric_limits<double>::infinity();
 
-    /// The bounds contain every box that will be asked for. Precondition: is_traceable(ray).
-    SlabRay(const Ray& ray, const Box3f& bounds) {
+    /// The bounds contain every box that will be asked for. The ray may be off by so much from the
+    /// one that is meant. Precondition: is_traceable(ray).
+    SlabRay(const Ray& ray, const Box3f& bounds, double off = 0) {
         // Both tests round coordinates relative to the origin, at most reach in size, and together
         // move what they see by up to 22 times half of 2^-52; docs/algorithms/ray_box.md adds that
         // up. The origin's own size keeps the small number from vanishing in the sums below.
         const Vec3d lo = bounds.lo.cast<double>() - ray.origin;
         const Vec3d hi = bounds.hi.cast<double>() - ray.origin;
         const double reach = lo.cwiseAbs().cwiseMax(hi.cwiseAbs()).maxCoeff();
-        const double rounding = 16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>());
+        const double rounding =
+            16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>()) + off;
 
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
         // the ray by less than the rounding does not.

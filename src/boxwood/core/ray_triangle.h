@@ -59,6 +59,7 @@ inline bool on_one_side(double a, double b, double c) {
 
 struct TriangleHit {
     double t, u, v;  ///< as in Hit
+    bool from_front;  ///< the ray comes from where a, b, c turn counter-clockwise
 };
 
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
@@ -98,7 +99,7 @@ inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& 
     // The weights have one sign, so this is a mean of the vertices' distances, not a cancellation.
     const double t = (u * ray.z(a) + v * ray.z(b) + w * ray.z(c)) / determinant;
     if (!(t_min <= t && t <= t_max)) return std::nullopt;
-    return TriangleHit{t, v / determinant, w / determinant};
+    return TriangleHit{t, v / determinant, w / determinant, determinant > 0};
 }
 
 }  // namespace boxwood

@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "boxwood/core/parallel.h"
-#include "boxwood/core/ray_triangle.h"
 #include "boxwood/mesh/weld.h"
 
 namespace boxwood {
@@ -21,30 +19,6 @@ namespace boxwood {
 namespace {
 
 constexpr std::size_t kPiece = 4096;
-
-/// Times a power of two, exactly, such that products of coordinates don't underflow.
-Vec3d scaled(const Vec3d& edge) {
-    int exponent = 0;
-    std::frexp(edge.cwiseAbs().maxCoeff(), &exponent);
-    return edge.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
-}
-
-/// Whether a box of floats can hold the corners, so that rays may find the face.
-bool has_place(MeshView mesh, std::size_t face) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    for (int k = 0; k < 3; ++k) {
-        if (!(mesh.corner(face, k).array().abs() <= kLargest).all()) return false;
-    }
-    return true;
-}
-
-bool has_zero_area(MeshView mesh, std::size_t face) {
-    const Vec3d e = scaled(mesh.corner(face, 1) - mesh.corner(face, 0));
-    const Vec3d f = scaled(mesh.corner(face, 2) - mesh.corner(face, 0));
-    return difference_of_products(e.x(), f.y(), e.y(), f.x()) == 0 &&
-           difference_of_products(e.y(), f.z(), e.z(), f.y()) == 0 &&
-           difference_of_products(e.z(), f.x(), e.x(), f.z()) == 0;
-}
 
 /// An edge of a face: the names of its ends, the smaller one first, then which way the face runs
 /// through it. Sorting brings the faces of an edge together.
@@ -64,7 +38,7 @@ std::vector<Edge> sorted_edges(MeshView mesh, MeshReport& report) {
     parallel_for(mesh.faces.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         std::size_t degenerate_here = 0;
         for (std::size_t i = begin; i < end; ++i) {
-            const bool placed = has_place(mesh, i);
+            const bool placed = is_in_float_range(mesh, i);
             if (!placed || has_zero_area(mesh, i)) ++degenerate_here;
 
             const Vec3i& face = mesh.faces[i];

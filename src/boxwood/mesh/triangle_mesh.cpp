@@ -3,14 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/ray_triangle.h"
 
 namespace boxwood {
 
 namespace {
 
 constexpr std::size_t kPiece = 4096;
+
+/// Times a power of two, exactly, such that products of coordinates don't underflow.
+Vec3d scaled(const Vec3d& edge) {
+    int exponent = 0;
+    std::frexp(edge.cwiseAbs().maxCoeff(), &exponent);
+    return edge.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+}
 
 }  // namespace
 
@@ -23,6 +33,14 @@ void check_indices(MeshView mesh) {
                                                index, count - 1));
         }
     }
+}
+
+bool has_zero_area(MeshView mesh, std::size_t face) {
+    const Vec3d e = scaled(mesh.corner(face, 1) - mesh.corner(face, 0));
+    const Vec3d f = scaled(mesh.corner(face, 2) - mesh.corner(face, 0));
+    return difference_of_products(e.x(), f.y(), e.y(), f.x()) == 0 &&
+           difference_of_products(e.y(), f.z(), e.z(), f.y()) == 0 &&
+           difference_of_products(e.z(), f.x(), e.x(), f.z()) == 0;
 }
 
 std::vector<Box3f> triangle_boxes(MeshView mesh) {

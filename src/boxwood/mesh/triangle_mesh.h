@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,6 +21,12 @@ struct MeshView {
     const Vec3d& corner(std::size_t face, int k) const { return vertices[faces[face][k]]; }
 };
 
+/// The same with vertices in float.
+struct MeshViewf {
+    std::span<const Vec3f> vertices;
+    std::span<const Vec3i> faces;
+};
+
 /// An indexed triangle mesh.
 struct TriangleMesh {
     std::vector<Vec3d> vertices;
@@ -28,6 +37,20 @@ struct TriangleMesh {
 
 /// Throws InvalidInput, naming the face, when a face has an index outside [0, vertices).
 void check_indices(MeshView mesh);
+
+/// Whether boxes of floats can hold the triangle: its corners are finite and within their range. Else
+/// it has no place in a tree, and no query finds it.
+inline bool is_in_float_range(const MeshView& mesh, std::size_t face) {
+    bool is_in_range = true;
+    for (int corner = 0; corner < 3; ++corner) {
+        const Vec3d& p = mesh.corner(face, corner);
+        for (int k = 0; k < 3; ++k) is_in_range &= std::abs(p[k]) <= FLT_MAX;
+    }
+    return is_in_range;
+}
+
+/// Whether the three corners lie on a line, so that the triangle covers no area.
+bool has_zero_area(MeshView mesh, std::size_t face);
 
 /// The box of a triangle, rounded outward to float: empty when a corner is not finite or beyond the
 /// range of float, so that no query visits the triangle.

@@ -19,17 +19,17 @@ namespace {
 
 /// Calls visit(hit) for each crossing, some twice. It returns the t beyond which nothing is of
 /// interest; minus infinity ends the walk.
-template <class Visit>
-void visit_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uint32_t index,
-                     const Visit& visit) noexcept {
+template <class Surface, class Visit>
+void visit_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
+                     std::uint32_t instance, const Visit& visit) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return;
-    const NearRay near(tree, ray);
-    const MeshRay mesh_ray(mesh, ray);
+    const NearRay near = near_ray(surface, tree, ray);
+    const MeshRay mesh_ray(surface, ray);
     double t_max = ray.t_max;
     float farthest = near.ray().t_max;
     auto look_at = [&](std::uint32_t triangle) {
         if (auto hit = mesh_ray.crossing(triangle, t_max)) {
-            hit->mesh = index;
+            hit->instance = instance;
             const double limit = visit(*hit);
             if (limit < t_max) {
                 t_max = limit;
@@ -41,18 +41,18 @@ void visit_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::u
     if (near.can_leave_out()) {
         visit_candidates(tree, near, look_at);
     } else {
-        for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) look_at(i);
+        for (std::uint32_t i = 0; i < face_count(surface); ++i) look_at(i);
     }
 }
 
-template <class Visit>
-void visit_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t index,
+template <class Surface, class Visit>
+void visit_crossings_brute_force(const Surface& surface, const Ray& ray, std::uint32_t instance,
                                  const Visit& visit) {
     if (!is_traceable(ray)) return;
-    const MeshRay mesh_ray(mesh, ray);
-    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const MeshRay mesh_ray(surface, ray);
+    for (std::uint32_t i = 0; i < face_count(surface); ++i) {
         if (auto hit = mesh_ray.crossing(i, ray.t_max)) {
-            hit->mesh = index;
+            hit->instance = instance;
             visit(*hit);
         }
     }
@@ -60,11 +60,12 @@ void visit_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t in
 
 }  // namespace
 
-void add_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uint32_t index,
-                   std::vector<Hit>& hits) {
+template <class Surface>
+void add_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
+                   std::uint32_t instance, std::vector<Hit>& hits) {
     // Kernels let no exception through.
     std::exception_ptr out_of_memory;
-    visit_crossings(mesh, tree, ray, index, [&](const Hit& hit) {
+    visit_crossings(surface, tree, ray, instance, [&](const Hit& hit) {
         try {
             hits.push_back(hit);
             return std::numeric_limits<double>::infinity();
@@ -76,23 +77,44 @@ void add_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uin
     if (out_of_memory) std::rethrow_exception(out_of_memory);
 }
 
-void add_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t index,
+template <class Surface>
+void add_crossings_brute_force(const Surface& surface, const Ray& ray, std::uint32_t instance,
                                std::vector<Hit>& hits) {
-    visit_crossings_brute_force(mesh, ray, index, [&](const Hit& hit) { hits.push_back(hit); });
+    visit_crossings_brute_force(surface, ray, instance,
+                                [&](const Hit& hit) { hits.push_back(hit); });
 }
 
-void offer_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uint32_t index,
-                     FirstCrossings& first) noexcept {
-    visit_crossings(mesh, tree, ray, index, [&](const Hit& hit) {
+template <class Surface>
+void offer_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
+                     std::uint32_t instance, FirstCrossings& first) noexcept {
+    visit_crossings(surface, tree, ray, instance, [&](const Hit& hit) {
         first.offer(hit);
         return first.t_max();
     });
 }
 
-void offer_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t index,
+template <class Surface>
+void offer_crossings_brute_force(const Surface& surface, const Ray& ray, std::uint32_t instance,
                                  FirstCrossings& first) noexcept {
-    visit_crossings_brute_force(mesh, ray, index, [&](const Hit& hit) { first.offer(hit); });
+    visit_crossings_brute_force(surface, ray, instance, [&](const Hit& hit) { first.offer(hit); });
 }
+
+template void add_crossings(const MeshView&, const WideTree&, const Ray&, std::uint32_t,
+                            std::vector<Hit>&);
+template void add_crossings(const PlacedMesh&, const WideTree&, const Ray&, std::uint32_t,
+                            std::vector<Hit>&);
+template void add_crossings_brute_force(const MeshView&, const Ray&, std::uint32_t,
+                                        std::vector<Hit>&);
+template void add_crossings_brute_force(const PlacedMesh&, const Ray&, std::uint32_t,
+                                        std::vector<Hit>&);
+template void offer_crossings(const MeshView&, const WideTree&, const Ray&, std::uint32_t,
+                              FirstCrossings&) noexcept;
+template void offer_crossings(const PlacedMesh&, const WideTree&, const Ray&, std::uint32_t,
+                              FirstCrossings&) noexcept;
+template void offer_crossings_brute_force(const MeshView&, const Ray&, std::uint32_t,
+                                          FirstCrossings&) noexcept;
+template void offer_crossings_brute_force(const PlacedMesh&, const Ray&, std::uint32_t,
+                                          FirstCrossings&) noexcept;
 
 std::vector<Hit> all_hits(MeshView mesh, const WideTree& tree, const Ray& ray) {
     std::vector<Hit> hits;

@@ -10,26 +10,46 @@
 
 namespace boxwood {
 
-std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
-                                           TraversalCounts* counts) noexcept {
+namespace {
+
+template <class Surface>
+std::optional<Hit> closest_on(const Surface& surface, const Ray& ray,
+                              TraversalCounts* counts) noexcept {
     if (!is_traceable(ray)) return std::nullopt;
-    const MeshRay mesh_ray(mesh, ray);
+    const MeshRay mesh_ray(surface, ray);
     std::optional<Hit> closest;
-    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    for (std::uint32_t i = 0; i < face_count(surface); ++i) {
         const auto hit = mesh_ray.intersect(i, ray.t_max);
         if (hit && (!closest || is_closer(*hit, *closest))) closest = hit;
     }
-    if (counts) counts->primitives += mesh.faces.size();
+    if (counts) counts->primitives += face_count(surface);
     return closest;
 }
 
-bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept {
+template <class Surface>
+bool any_on(const Surface& surface, const Ray& ray) noexcept {
     if (!is_traceable(ray)) return false;
-    const MeshRay mesh_ray(mesh, ray);
-    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+    const MeshRay mesh_ray(surface, ray);
+    for (std::uint32_t i = 0; i < face_count(surface); ++i) {
         if (mesh_ray.intersect(i, ray.t_max)) return true;
     }
     return false;
+}
+
+}  // namespace
+
+std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
+                                           TraversalCounts* counts) noexcept {
+    return closest_on(mesh, ray, counts);
+}
+std::optional<Hit> closest_hit_brute_force(const PlacedMesh& placed, const Ray& ray,
+                                           TraversalCounts* counts) noexcept {
+    return closest_on(placed, ray, counts);
+}
+
+bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept { return any_on(mesh, ray); }
+bool any_hit_brute_force(const PlacedMesh& placed, const Ray& ray) noexcept {
+    return any_on(placed, ray);
 }
 
 std::vector<Hit> all_hits_brute_force(MeshView mesh, const Ray& ray) {

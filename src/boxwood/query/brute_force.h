@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "boxwood/core/ray.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/closest_point.h"
 #include "boxwood/query/overlaps.h"
 #include "boxwood/query/traverse.h"
@@ -15,9 +15,12 @@ namespace boxwood {
 /// memory.
 std::optional<Hit> closest_hit_brute_force(MeshView mesh, const Ray& ray,
                                            TraversalCounts* counts = nullptr) noexcept;
+std::optional<Hit> closest_hit_brute_force(const PlacedMesh& placed, const Ray& ray,
+                                           TraversalCounts* counts = nullptr) noexcept;
 
 /// The answer of any_hit(), by testing triangles until one is hit. O(n).
 bool any_hit_brute_force(MeshView mesh, const Ray& ray) noexcept;
+bool any_hit_brute_force(const PlacedMesh& placed, const Ray& ray) noexcept;
 
 /// The answer of all_hits() of query/all_hits.h, by testing every triangle. O(n).
 std::vector<Hit> all_hits_brute_force(MeshView mesh, const Ray& ray);

@@ -11,11 +11,15 @@
 
 namespace boxwood {
 
-std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
+namespace {
+
+template <class Surface>
+std::optional<Hit> closest_on(const Surface& surface, const WideTree& tree,
+                              const Ray& ray) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return std::nullopt;
-    const NearRay near(tree, ray);
-    if (!near.can_leave_out()) return closest_hit_brute_force(mesh, ray);
-    const MeshRay mesh_ray(mesh, ray);
+    const NearRay near = near_ray(surface, tree, ray);
+    if (!near.can_leave_out()) return closest_hit_brute_force(surface, ray);
+    const MeshRay mesh_ray(surface, ray);
     Hit closest;
     double t_max = ray.t_max;
     float farthest = near.ray().t_max;
@@ -33,11 +37,12 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
     return closest;
 }
 
-bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
+template <class Surface>
+bool any_on(const Surface& surface, const WideTree& tree, const Ray& ray) noexcept {
     if (tree.is_empty() || !is_traceable(ray)) return false;
-    const NearRay near(tree, ray);
-    if (!near.can_leave_out()) return any_hit_brute_force(mesh, ray);
-    const MeshRay mesh_ray(mesh, ray);
+    const NearRay near = near_ray(surface, tree, ray);
+    if (!near.can_leave_out()) return any_hit_brute_force(surface, ray);
+    const MeshRay mesh_ray(surface, ray);
     bool found = false;
     auto visit = [&](std::uint32_t triangle) {
         found = found || mesh_ray.intersect(triangle, ray.t_max);
@@ -45,6 +50,23 @@ bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
     };
     visit_candidates(tree, near, visit);
     return found;
+}
+
+}  // namespace
+
+std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
+    return closest_on(mesh, tree, ray);
+}
+std::optional<Hit> closest_hit(const PlacedMesh& placed, const WideTree& tree,
+                               const Ray& ray) noexcept {
+    return closest_on(placed, tree, ray);
+}
+
+bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {
+    return any_on(mesh, tree, ray);
+}
+bool any_hit(const PlacedMesh& placed, const WideTree& tree, const Ray& ray) noexcept {
+    return any_on(placed, tree, ray);
 }
 
 }  // namespace boxwood

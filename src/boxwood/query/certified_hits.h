@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "boxwood/core/ray.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
@@ -19,5 +19,12 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
 
 /// any_hit() of query/any_hit.h.
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
+
+// The same for a mesh that stands somewhere in the world, by the tree of the mesh where it is: to
+// the last bit what the mesh would answer if its vertices were moved there. Explained in
+// docs/algorithms/instances.md.
+std::optional<Hit> closest_hit(const PlacedMesh& placed, const WideTree& tree,
+                               const Ray& ray) noexcept;
+bool any_hit(const PlacedMesh& placed, const WideTree& tree, const Ray& ray) noexcept;
 
 }  // namespace boxwood

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "boxwood/core/ray.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/tree/tree.h"
 
@@ -16,6 +16,10 @@ namespace boxwood {
 /// ray.skip.triangle. About O(log n).
 /// Precondition: a valid tree over the mesh's triangles.
 std::optional<Hit> closest_hit(MeshView mesh, const Tree& tree, const Ray& ray,
+                               TraversalCounts* counts = nullptr) noexcept;
+
+/// The same for a mesh that stands somewhere in the world, by the tree of the mesh where it is.
+std::optional<Hit> closest_hit(const PlacedMesh& placed, const Tree& tree, const Ray& ray,
                                TraversalCounts* counts = nullptr) noexcept;
 
 }  // namespace boxwood

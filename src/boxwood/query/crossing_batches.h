@@ -36,7 +36,7 @@ HitLists crossings_of_all(std::size_t rays, const BatchOptions& options, const A
 
     const std::size_t total = lists.offsets.back();
     for (auto* numbers : {&lists.t, &lists.u, &lists.v}) numbers->resize(total);
-    for (auto* indices : {&lists.triangle, &lists.mesh}) indices->resize(total);
+    for (auto* indices : {&lists.triangle, &lists.instance}) indices->resize(total);
     const BatchOptions unwatched = {.on_this_thread = options.on_this_thread};
     for_each_piece(pieces.size(), 1, unwatched, [&](std::size_t piece, std::size_t) {
         std::size_t place = lists.offsets[piece * kRaysOfPiece];
@@ -45,7 +45,7 @@ HitLists crossings_of_all(std::size_t rays, const BatchOptions& options, const A
             lists.u[place] = hit.u;
             lists.v[place] = hit.v;
             lists.triangle[place] = hit.triangle;
-            lists.mesh[place++] = hit.mesh;
+            lists.instance[place++] = hit.instance;
         }
     });
     return lists;

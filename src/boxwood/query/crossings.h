@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxwood/core/ray.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
@@ -20,12 +20,16 @@ struct ByDistance {
     bool operator()(const Hit& a, const Hit& b) const { return is_closer(a, b); }
 };
 
-/// Adds the crossings of a mesh, in no order, some twice where a builder splits triangles. The mesh
-/// is their Hit::mesh; ray.skip is a triangle of it.
-void add_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uint32_t index,
-                   std::vector<Hit>& hits);
+// For a Surface that is a MeshView or a PlacedMesh. Hits get the instance as their Hit::instance;
+// ray.skip is a triangle of it.
+
+/// Adds the crossings of a surface, in no order, some twice where a builder splits triangles.
+template <class Surface>
+void add_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
+                   std::uint32_t instance, std::vector<Hit>& hits);
 /// The same by testing every triangle, each once.
-void add_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t index,
+template <class Surface>
+void add_crossings_brute_force(const Surface& surface, const Ray& ray, std::uint32_t instance,
                                std::vector<Hit>& hits);
 
 /// Puts the hits from `begin` on in order and leaves each of them once.
@@ -33,7 +37,7 @@ inline void sort_crossings(std::vector<Hit>& hits, std::size_t begin = 0) {
     const auto first = hits.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, hits.end(), ByDistance());
     const auto is_same = [](const Hit& a, const Hit& b) {
-        return a.mesh == b.mesh && a.triangle == b.triangle;
+        return a.instance == b.instance && a.triangle == b.triangle;
     };
     // The same triangle has the same t, so it stands beside itself.
     hits.erase(std::unique(first, hits.end(), is_same), hits.end());
@@ -68,10 +72,12 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Offers the crossings of a mesh, as add_crossings() does.
-void offer_crossings(MeshView mesh, const WideTree& tree, const Ray& ray, std::uint32_t index,
-                     FirstCrossings& first) noexcept;
-void offer_crossings_brute_force(MeshView mesh, const Ray& ray, std::uint32_t index,
+/// Offers the crossings of a surface, as add_crossings() does.
+template <class Surface>
+void offer_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
+                     std::uint32_t instance, FirstCrossings& first) noexcept;
+template <class Surface>
+void offer_crossings_brute_force(const Surface& surface, const Ray& ray, std::uint32_t instance,
                                  FirstCrossings& first) noexcept;
 
 }  // namespace boxwood

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cfloat>
+#include <cstdint>
 #include <optional>
 
 #include "boxwood/core/ray.h"
 #include "boxwood/core/ray_crossing.h"
 #include "boxwood/core/ray_triangle.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 
 namespace boxwood {
 
-/// A ray that is to be tested against triangles of a mesh: the one meaning of "hit" that every
-/// query shares, and the one of "crossing" that those share that count.
+/// A ray that is to be tested against triangles of a mesh, placed or not: the one meaning of "hit"
+/// that every query shares, and the one of "crossing" that those share that count.
+template <class Surface>
 class MeshRay {
 public:
     /// Precondition: is_traceable(ray).
-    MeshRay(MeshView mesh, const Ray& ray) : mesh_(mesh), ray_(ray), sheared_(ray) {}
+    MeshRay(const Surface& surface, const Ray& ray)
+        : surface_(surface), ray_(ray), sheared_(ray) {}
 
     std::optional<Hit> intersect(std::uint32_t triangle, double t_max) const {
         return tested(triangle, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -39,20 +40,14 @@ private:
     std::optional<Hit> tested(std::uint32_t triangle, const Test& test) const {
         if (triangle == ray_.skip.triangle) return std::nullopt;
         const auto hit =
-            test(mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2));
-        if (!hit || !is_in_float_range(triangle)) return std::nullopt;
+            test(surface_.corner(triangle, 0), surface_.corner(triangle, 1),
+                 surface_.corner(triangle, 2));
+        if (!hit || !is_in_float_range(surface_, triangle) || !stops(surface_, hit->from_front))
+            return std::nullopt;
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
     }
 
-    /// Trees have no box for what lies beyond it: see triangle_boxes().
-    bool is_in_float_range(std::uint32_t triangle) const {
-        double largest = 0;
-        for (int k = 0; k < 3; ++k)
-            largest = std::max(largest, mesh_.corner(triangle, k).lpNorm<Eigen::Infinity>());
-        return largest <= FLT_MAX;
-    }
-
-    MeshView mesh_;
+    Surface surface_;
     const Ray& ray_;
     ShearedRay sheared_;
 };

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "boxwood/core/box.h"
 #include "boxwood/core/float_bits.h"
 #include "boxwood/core/ray.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/wide_tree.h"
 
@@ -19,7 +21,8 @@ namespace boxwood {
 /// The ray as the tree sees it.
 class NearRay {
 public:
-    NearRay(const WideTree& tree, const Ray& ray) : scale_(tree.scale()) {
+    /// The ray may be off by so much.
+    explicit NearRay(const WideTree& tree, const Ray& ray, double off = 0) : scale_(tree.scale()) {
         const int exponent = exponent_of(ray.direction.lpNorm<Eigen::Infinity>());
         const Vec3d direction = ray.direction * power_of_two(-exponent);
         stretch_ = power_of_two(exponent);
@@ -34,7 +37,8 @@ public:
 
         const Vec3d origin = ray.origin + shift_ * direction;
         const double moved = ray.origin.lpNorm<Eigen::Infinity>() + 2 * std::abs(shift_);
-        extra_rounding_ = shift_ == 0 ? 0 : rounded_up(0x1p-50 * moved * scale_);
+        const double off_by_shift = shift_ == 0 ? 0 : 0x1p-50 * moved;
+        extra_rounding_ = rounded_up((off_by_shift + off) * scale_);
         for (int k = 0; k < 3; ++k) {
             ray_.origin[k] = static_cast<float>(scale_ * origin[k]);
             ray_.direction[k] = static_cast<float>(direction[k]);
@@ -62,6 +66,18 @@ private:
     double shift_ = 0;
     float extra_rounding_;
 };
+
+/// The ray as the tree of the mesh sees it.
+inline NearRay near_ray(const MeshView& /*mesh*/, const WideTree& tree, const Ray& ray) {
+    return NearRay(tree, ray);
+}
+/// A ray of the world as the tree of a mesh sees it that stands somewhere there.
+inline NearRay near_ray(const PlacedMesh& placed, const WideTree& tree, const Ray& ray) {
+    const Ray local = local_ray(*placed.placement, ray);
+    constexpr double kTooFar = std::numeric_limits<double>::infinity();
+    if (!is_traceable(local)) return NearRay(tree, {}, kTooFar);
+    return NearRay(tree, local, placed.placement->rounding(ray.origin, largest_coordinate(tree.bounds())));
+}
 
 /// Calls visit(triangle) for each triangle that the ray may hit, some twice where a builder splits
 /// triangles. It returns near.farthest() of what is of interest yet; minus infinity ends the walk.

@@ -40,12 +40,13 @@ WalkEntry find_back(const Tree& tree, SlabRay slabs, double t_min, double t_max,
 /// Calls visit(primitive, t_max) for each primitive whose leaf the ray enters before t_max, nearest
 /// leaves first. It returns the new t_max: the distance of the hit if there is one, else the old;
 /// or kEndOfWalk. Takes no memory from the heap and little of the call stack, however deep the tree
-/// is. Preconditions: is_traceable(ray), a valid tree that isn't empty.
+/// is. The ray may be off by so much from the one that visit asks about.
+/// Preconditions: is_traceable(ray), a valid tree that isn't empty.
 template <class Visit>
-void traverse(const Tree& tree, const Ray& ray, Visit&& visit,
-              TraversalCounts* counts = nullptr) noexcept {
+void traverse(const Tree& tree, const Ray& ray, Visit&& visit, TraversalCounts* counts = nullptr,
+              double off = 0) noexcept {
     if (tree.root().box.is_empty()) return;
-    const SlabRay slabs(ray, tree.root().box);
+    const SlabRay slabs(ray, tree.root().box, off);
     double t_max = ray.t_max;
     WalkEntry current = {0, slabs.intersect(tree.root().box, ray.t_min, t_max)};
     if (current.t == SlabRay::kMiss) return;

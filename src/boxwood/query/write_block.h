@@ -49,15 +49,6 @@ struct BlockTriangles {
     }
 };
 
-inline bool is_in_float_range(const MeshView& mesh, std::uint32_t triangle) {
-    bool is_in_range = true;
-    for (int corner = 0; corner < 3; ++corner) {
-        const Vec3d& p = mesh.corner(triangle, corner);
-        for (int k = 0; k < 3; ++k) is_in_range &= std::abs(p[k]) <= FLT_MAX;
-    }
-    return is_in_range;
-}
-
 constexpr std::uint32_t kEmptySlot = std::numeric_limits<std::uint32_t>::max();
 
 /// Writes the triangles, multiplied by scale. Those with a corner that is not finite or beyond the

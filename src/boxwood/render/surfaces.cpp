@@ -10,9 +10,9 @@ namespace boxwood {
 
 namespace {
 
-std::vector<MeshView> views(const World& world) {
-    std::vector<MeshView> result;
-    for (const MeshObject& object : world.meshes) result.push_back(object.mesh);
+std::vector<SceneMesh> meshes_of(const World& world) {
+    std::vector<SceneMesh> result;
+    for (const MeshObject& object : world.meshes) result.emplace_back(object.mesh);
     return result;
 }
 
@@ -34,7 +34,7 @@ Ray shortened_to(Ray ray, double t_max) {
 }  // namespace
 
 Surfaces::Surfaces(const World& world, const SceneOptions& options)
-    : world_(world), scene_(views(world), options), sphere_tree_(build_tree(sphere_boxes(world))) {}
+    : world_(world), scene_(meshes_of(world), options), sphere_tree_(build_tree(sphere_boxes(world))) {}
 
 std::optional<double> Surfaces::intersect(const Ray& ray, std::uint32_t sphere,
                                           double t_max) const {
@@ -91,12 +91,12 @@ std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& on_mes
                           .id = sphere_id(*closest_sphere)};
     }
     if (!on_mesh.is_hit()) return std::nullopt;
-    const MeshObject& object = world_.meshes[on_mesh.mesh];
+    const MeshObject& object = world_.meshes[on_mesh.instance];
     return SurfaceHit{.t = t,
                       .point = ray.at(t),
                       .normal = geometric_normal(object.mesh, on_mesh.triangle),
                       .material = &world_.materials[object.material],
-                      .id = {on_mesh.mesh, on_mesh.triangle}};
+                      .id = {on_mesh.instance, on_mesh.triangle}};
 }
 
 bool Surfaces::any_hit(const Ray& ray) const { return scene_.any_hit(ray) || hits_sphere(ray); }

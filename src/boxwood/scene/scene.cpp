@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cfloat>
 #include <utility>
 
-#include "boxwood/query/any_hit.h"
-#include "boxwood/query/brute_force.h"
-#include "boxwood/query/certified_hits.h"
-#include "boxwood/query/closest_hit.h"
-#include "boxwood/query/hit_places.h"
-#include "boxwood/scene/ray_in_mesh.h"
+#include "boxwood/core/error.h"
+#include "boxwood/core/parallel.h"
+#include "boxwood/tree/refit.h"
 
 namespace boxwood {
 
 namespace {
-
-/// Rays between two looks at whether to go on: few, as by brute force each may take long.
-constexpr std::size_t kPiece = 256;
 
 BuiltTree build(MeshView mesh, const SceneOptions& options) {
     if (!options.build) return build_preset(mesh, {.preset = options.preset});
@@ -25,100 +22,168 @@ BuiltTree build(MeshView mesh, const SceneOptions& options) {
     return {std::move(tree), std::move(wide)};
 }
 
+std::vector<Instance> one_each(std::size_t meshes) {
+    std::vector<Instance> instances(meshes);
+    for (std::size_t i = 0; i < meshes; ++i) instances[i].mesh = static_cast<std::uint32_t>(i);
+    return instances;
+}
+
+/// Throws InvalidInput, naming the instance.
+std::vector<Placement> placements_of(std::span<const Instance> instances, std::size_t meshes) {
+    std::vector<Placement> placements;
+    placements.reserve(instances.size());
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (instances[i].mesh >= meshes)
+            throw InvalidInput(fmt::format("instance {}: found mesh {}, expected less than {}", i,
+                                           instances[i].mesh, meshes));
+        try {
+            placements.emplace_back(instances[i].to_world);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(fmt::format("instance {}: {}", i, error.what()));
+        }
+    }
+    return placements;
+}
+
+/// Throws InvalidInput, naming the mesh if there are several.
+void check_all_indices(std::span<const MeshView> meshes) {
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        try {
+            check_indices(meshes[i]);
+        } catch (const InvalidInput& error) {
+            if (meshes.size() == 1) throw;
+            throw InvalidInput(fmt::format("mesh {}: {}", i, error.what()));
+        }
+    }
+}
+
+/// A box of floats around the box, or as much of it as floats can say.
+Box3f rounded_outward_within_float(const Box3d& box) {
+    const auto clamped = [](const Vec3d& p) -> Vec3d {
+        return p.cwiseMax(-double{FLT_MAX}).cwiseMin(double{FLT_MAX});
+    };
+    return rounded_outward({clamped(box.lo), clamped(box.hi)});
+}
+
 }  // namespace
 
-Scene::Scene(std::vector<MeshView> meshes, const SceneOptions& options)
-    : meshes_(std::move(meshes)) {
-    for (const MeshView& mesh : meshes_) check_indices(mesh);
+Scene::Scene(std::vector<SceneMesh> meshes, const SceneOptions& options)
+    : Scene(meshes, one_each(meshes.size()), options) {}
+
+Scene::Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
+             const SceneOptions& options)
+    : given_(std::move(meshes)), instances_(std::move(instances)) {
+    placements_ = placements_of(instances_, given_.size());
+    widen_vertices();
+    check_all_indices(meshes_);
+    find_faults();
     if (options.brute_force) return;
 
-    std::vector<Box3f> boxes;
     for (const MeshView& mesh : meshes_) {
         BuiltTree built = build(mesh, options);
-        boxes.push_back(built.wide.bounds());
         wide_trees_.push_back(std::move(built.wide));
         if (options.keep_trees) trees_.push_back(std::move(built.tree));
     }
-    // A single mesh needs no second tree to be found by.
-    if (meshes_.size() > 1) top_ = build_tree(boxes);
+    build_top();
 }
 
-template <class ClosestHitOnMesh>
-std::optional<Hit> Scene::closest_of_meshes(const Ray& ray, const ClosestHitOnMesh& on_mesh,
-                                            TraversalCounts* counts) const noexcept {
-    if (!is_traceable(ray)) return std::nullopt;
-    std::optional<Hit> closest;
-    const auto visit = [&](std::uint32_t mesh, double t_max) {
-        Ray shortened = ray_in_mesh(ray, mesh);
-        shortened.t_max = t_max;
-        auto hit = on_mesh(mesh, shortened);
-        if (!hit) return t_max;
-        hit->mesh = mesh;
-        if (!closest || is_closer(*hit, *closest)) closest = hit;
-        return closest->t;
-    };
-
-    if (!top_.is_empty()) {
-        traverse(top_, ray, visit, counts);
-    } else {
-        double t_max = ray.t_max;
-        for (std::uint32_t mesh = 0; mesh < meshes_.size(); ++mesh) t_max = visit(mesh, t_max);
+void Scene::widen_vertices() {
+    widened_.resize(given_.size());
+    meshes_.resize(given_.size());
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+        if (const auto* mesh = std::get_if<MeshView>(&given_[i].geometry)) {
+            meshes_[i] = *mesh;
+            continue;
+        }
+        const auto& mesh = std::get<MeshViewf>(given_[i].geometry);
+        widened_[i].resize(mesh.vertices.size());
+        for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
+            widened_[i][k] = mesh.vertices[k].cast<double>();
+        meshes_[i] = {widened_[i], mesh.faces};
     }
-    return closest;
 }
 
-std::optional<Hit> Scene::closest_hit(const Ray& ray) const noexcept {
-    const auto on_mesh = [&](std::uint32_t mesh, const Ray& shortened) {
-        return wide_trees_.empty()
-                   ? closest_hit_brute_force(meshes_[mesh], shortened)
-                   : boxwood::closest_hit(meshes_[mesh], wide_trees_[mesh], shortened);
-    };
-    return closest_of_meshes(ray, on_mesh, nullptr);
-}
-
-std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts& counts) const noexcept {
-    const auto on_mesh = [&](std::uint32_t mesh, const Ray& shortened) {
-        return trees_.empty()
-                   ? closest_hit_brute_force(meshes_[mesh], shortened, &counts)
-                   : boxwood::closest_hit(meshes_[mesh], trees_[mesh], shortened, &counts);
-    };
-    return closest_of_meshes(ray, on_mesh, &counts);
-}
-
-bool Scene::any_hit(const Ray& ray) const noexcept {
-    if (!is_traceable(ray)) return false;
-    bool found = false;
-    const auto visit = [&](std::uint32_t mesh, double t_max) {
-        const Ray mesh_ray = ray_in_mesh(ray, mesh);
-        found = found || (wide_trees_.empty()
-                              ? any_hit_brute_force(meshes_[mesh], mesh_ray)
-                              : boxwood::any_hit(meshes_[mesh], wide_trees_[mesh], mesh_ray));
-        return found ? kEndOfWalk : t_max;
-    };
-
-    if (!top_.is_empty()) {
-        traverse(top_, ray, visit);
-    } else {
-        for (std::uint32_t mesh = 0; mesh < meshes_.size() && !found; ++mesh)
-            visit(mesh, ray.t_max);
+void Scene::find_faults() {
+    report_.meshes.clear();
+    for (const MeshView& mesh : meshes_) {
+        const MeshFaults none;
+        report_.meshes.push_back(parallel_reduce(
+            mesh.faces.size(), 4096, none,
+            [&](std::size_t begin, std::size_t end) {
+                MeshFaults faults;
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (!is_in_float_range(mesh, i))
+                        faults.not_finite.push_back(static_cast<std::uint32_t>(i));
+                    else if (has_zero_area(mesh, i))
+                        faults.zero_area.push_back(static_cast<std::uint32_t>(i));
+                }
+                return faults;
+            },
+            [](MeshFaults left, const MeshFaults& right) {
+                left.not_finite.insert(left.not_finite.end(), right.not_finite.begin(),
+                                       right.not_finite.end());
+                left.zero_area.insert(left.zero_area.end(), right.zero_area.begin(),
+                                      right.zero_area.end());
+                return left;
+            }));
     }
-    return found;
 }
 
-void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
-                         const BatchOptions& options) const {
-    check_hit_places(rays.size(), hits.size());
-    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
-    });
+Box3f Scene::bounds_in_world(std::uint32_t instance) const {
+    const Box3f& local = wide_trees_[instances_[instance].mesh].bounds();
+    const Placement& placement = placements_[instance];
+    if (local.is_empty() || placement.is_identity()) return local;
+    Box3d box;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3d p;
+        for (int k = 0; k < 3; ++k) p[k] = (corner >> k & 1) != 0 ? local.hi[k] : local.lo[k];
+        box.extend(placement.to_world(p));
+    }
+    // Room for the rounding of corners here and of vertices there.
+    const double size = placement.most_growth() * largest_coordinate(local) +
+                        placement.to_world(Vec3d::Zero()).lpNorm<Eigen::Infinity>();
+    const Vec3d room = Vec3d::Constant(0x1p-48 * size);
+    return rounded_outward_within_float({box.lo - room, box.hi + room});
 }
 
-void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
-                     const BatchOptions& options) const {
-    check_hit_places(rays.size(), hits.size());
-    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(rays[i]);
-    });
+void Scene::build_top() {
+    top_ = {};
+    // A single instance needs no second tree to be found by.
+    if (instances_.size() < 2 || wide_trees_.empty()) return;
+    std::vector<Box3f> boxes;
+    boxes.reserve(instances_.size());
+    for (std::uint32_t i = 0; i < instances_.size(); ++i) boxes.push_back(bounds_in_world(i));
+    top_ = build_tree(boxes);
+}
+
+Vec3d Scene::geometric_normal(TriangleId id) const {
+    const MeshView& mesh = meshes_[instances_[id.instance].mesh];
+    const Placement& placement = placements_[id.instance];
+    if (placement.is_identity()) return boxwood::geometric_normal(mesh, id.triangle);
+    const PlacedMesh placed = {mesh, &placement};
+    const Vec3d a = placed.corner(id.triangle, 0);
+    const Vec3d normal =
+        (placed.corner(id.triangle, 1) - a).cross(placed.corner(id.triangle, 2) - a).normalized();
+    return placement.is_mirrored() ? Vec3d(-normal) : normal;
+}
+
+std::vector<RefitQuality> Scene::refit() {
+    widen_vertices();
+    std::vector<RefitQuality> qualities;
+    for (std::size_t i = 0; i < wide_trees_.size(); ++i)
+        qualities.push_back(boxwood::refit(wide_trees_[i], meshes_[i]));
+    for (std::size_t i = 0; i < trees_.size(); ++i)
+        boxwood::refit(trees_[i], triangle_boxes(meshes_[i]));
+    build_top();
+    find_faults();
+    return qualities;
+}
+
+void Scene::set_instances(std::vector<Instance> instances) {
+    std::vector<Placement> placements = placements_of(instances, given_.size());
+    instances_ = std::move(instances);
+    placements_ = std::move(placements);
+    build_top();
 }
 
 }  // namespace boxwood

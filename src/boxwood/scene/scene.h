@@ -8,11 +8,15 @@
 #include "boxwood/build/build.h"
 #include "boxwood/core/batch.h"
 #include "boxwood/core/ray.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/hit_lists.h"
+#include "boxwood/query/refit.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/query/wide_tree.h"
+#include "boxwood/scene/build_report.h"
 #include "boxwood/scene/build_wide_tree.h"
+#include "boxwood/scene/instance.h"
 #include "boxwood/tree/tree.h"
 
 namespace boxwood {
@@ -27,15 +31,27 @@ struct SceneOptions {
     bool keep_trees = false;
 };
 
-/// Triangle meshes that can be asked what a ray hits. It refers to the meshes' arrays, which must
-/// outlive it and stay as they are. Queries may run from any number of threads at once.
+/// Triangle meshes, and instances of them, that can be asked what a ray hits. It refers to the
+/// meshes' arrays, which must outlive it and stay as they are, but for refit(). Queries may run from
+/// any number of threads at once.
 class Scene {
 public:
-    /// Throws InvalidInput when a face has an index out of range. Costs what the builder costs.
-    explicit Scene(std::vector<MeshView> meshes, const SceneOptions& options = {});
+    /// An instance of each mesh, where it is. Throws InvalidInput when a face has an index out of
+    /// range. Costs what the builder costs.
+    explicit Scene(std::vector<SceneMesh> meshes, const SceneOptions& options = {});
+    /// The instances alone: a mesh without any is not seen. Throws InvalidInput also when one names
+    /// no mesh, or its transform isn't finite or has no inverse.
+    Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
+          const SceneOptions& options);
+
+    Scene(Scene&&) = default;
+    Scene& operator=(Scene&&) = default;
+
+    /// What was found wrong with the meshes when they were built.
+    const BuildReport& report() const { return report_; }
 
     /// The hit with the least t in [ray.t_min, ray.t_max], or nothing. Equal distances go to the
-    /// lower (mesh, triangle), so the answer doesn't depend on the options. See closest_hit.h.
+    /// lower (instance, triangle), so the answer doesn't depend on the options. See closest_hit.h.
     std::optional<Hit> closest_hit(const Ray& ray) const noexcept;
     /// The same, adding up the steps through the trees as they were built, or by brute force.
     /// Precondition: counts_steps().
@@ -53,9 +69,9 @@ public:
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
-    /// The places where the ray goes through the meshes, with t in [ray.t_min, ray.t_max], in the
-    /// order of t; equal t in that of (mesh, triangle). Edges and vertices count once for each
-    /// crossing of each mesh, by the rule of query/all_hits.h.
+    /// The places where the ray goes through the instances, with t in [ray.t_min, ray.t_max], in the
+    /// order of t; equal t in that of (instance, triangle). Edges and vertices count once for each
+    /// crossing of each instance, by the rule of query/all_hits.h.
     std::vector<Hit> all_hits(const Ray& ray) const;
     /// Their number.
     std::size_t count_hits(const Ray& ray) const;
@@ -72,6 +88,25 @@ public:
     void first_k_hits(std::span<const Ray> rays, std::size_t k, std::span<Hit> hits,
                       const BatchOptions& options = {}) const;
 
+    /// Of a triangle as it stands in the world, of unit length, from its front; zero for one of zero
+    /// area. Precondition: the scene has it.
+    Vec3d geometric_normal(TriangleId id) const;
+    Vec3d geometric_normal(const Hit& hit) const {
+        return geometric_normal(TriangleId{hit.instance, hit.triangle});
+    }
+
+    /// Fits the trees to vertices that have moved, in the arrays that the scene refers to; faces are
+    /// the same. All answers are then those of a new scene. How good the trees are yet, one figure a
+    /// mesh: see refit.h, which also says what it throws. No query may run meanwhile. O(n), all
+    /// cores.
+    std::vector<RefitQuality> refit();
+
+    /// Replaces the instances; trees over meshes stay. Throws as the constructor does, and then
+    /// leaves the scene as it was. No query may run meanwhile. O(n log n) in the instances.
+    void set_instances(std::vector<Instance> instances);
+
+    std::span<const Instance> instances() const { return instances_; }
+    /// In double, those that were given in float as well.
     std::span<const MeshView> meshes() const { return meshes_; }
     /// Whether queries can count their steps: with options.keep_trees or options.brute_force.
     bool counts_steps() const { return wide_trees_.size() == trees_.size(); }
@@ -81,15 +116,31 @@ public:
     std::span<const WideTree> wide_trees() const { return wide_trees_; }
 
 private:
-    template <class ClosestHitOnMesh>
-    std::optional<Hit> closest_of_meshes(const Ray& ray, const ClosestHitOnMesh& on_mesh,
-                                         TraversalCounts* counts) const noexcept;
+    /// What ask(surface, tree) says of an instance, which is a MeshView or a PlacedMesh; of no tree
+    /// where it is brute force.
+    template <class Ask>
+    auto ask_instance(std::uint32_t instance, const Ask& ask) const;
+    /// Calls visit(instance, ray, t_max) for those that the ray may hit, with the ray as the
+    /// instance is asked. It returns the new t_max, as for traverse().
+    template <class Visit>
+    void visit_instances(const Ray& ray, const Visit& visit,
+                         TraversalCounts* counts = nullptr) const noexcept;
     void add_crossings(const Ray& ray, std::vector<Hit>& hits) const;
 
+    void widen_vertices();
+    void find_faults();
+    Box3f bounds_in_world(std::uint32_t instance) const;
+    void build_top();
+
+    std::vector<SceneMesh> given_;
+    std::vector<std::vector<Vec3d>> widened_;  ///< vertices that were given in float, one a mesh
     std::vector<MeshView> meshes_;
+    std::vector<Instance> instances_;
+    std::vector<Placement> placements_;  ///< one an instance
     std::vector<Tree> trees_;
     std::vector<WideTree> wide_trees_;
-    Tree top_;  ///< over the meshes
+    Tree top_;  ///< over the instances
+    BuildReport report_;
 };
 
 }  // namespace boxwood

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/mesh/placement.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "boxwood/core/error.h"
+
+namespace boxwood {
+
+namespace {
+
+constexpr double kWorstCondition = 0x1p40;
+
+}  // namespace
+
+Placement::Placement(const Eigen::Affine3d& to_world)
+    : linear_(to_world.linear()), offset_(to_world.translation()) {
+    if (!linear_.allFinite() || !offset_.allFinite())
+        throw InvalidInput("found a transform with a number that isn't finite, expected none");
+    is_identity_ = linear_.isIdentity(0) && offset_.isZero(0);
+    if (is_identity_) return;
+
+    // Scaled by a power of two, so that determinants neither overflow nor vanish.
+    const double largest = linear_.cwiseAbs().maxCoeff();
+    const double scale = largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1;
+    const Eigen::Matrix3d scaled = scale * linear_;
+    const Eigen::FullPivLU<Eigen::Matrix3d> lu(scaled);
+    const Eigen::Matrix3d inverse = lu.inverse();
+    const double condition = scaled.norm() * inverse.norm();
+    // What the inverse is off by, as it was found: the exact one is (1 + residual)^-1 times it.
+    const double residual = (inverse * scaled - Eigen::Matrix3d::Identity()).norm();
+    const bool has_inverse = condition < kWorstCondition && residual < 0.01;
+    if (!has_inverse || !std::isfinite(scale))
+        throw InvalidInput("found a transform that flattens space, expected one with an inverse");
+    inverse_ = scale * inverse;
+    norm_ = linear_.norm();
+    inverse_norm_ = inverse_.norm() * (1 + 2 * residual);
+    error_ = (8 * residual + 0x1p-46 * condition) * inverse_norm_;
+    is_mirrored_ = lu.determinant() < 0;
+
+    const Eigen::Matrix3d products = scaled.transpose() * scaled;
+    const double square = products.trace() / 3;
+    keeps_angles_ = (products - square * Eigen::Matrix3d::Identity()).norm() <= 1e-12 * square;
+}
+
+}  // namespace boxwood

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The queries of a scene for one hit: those of its instances, put together.
+#include "boxwood/query/any_hit.h"
+#include "boxwood/query/brute_force.h"
+#include "boxwood/query/certified_hits.h"
+#include "boxwood/query/closest_hit.h"
+#include "boxwood/query/hit_places.h"
+#include "boxwood/scene/ask_instance.h"
+#include "boxwood/scene/scene.h"
+
+namespace boxwood {
+
+namespace {
+
+/// Rays between two looks at whether to go on: few, as by brute force each may take long.
+constexpr std::size_t kPiece = 256;
+
+/// Keeps the closest of the hits on instances.
+class ClosestOfInstances {
+public:
+    /// Returns beyond which t nothing is of interest any more.
+    double offer(std::uint32_t instance, double t_max, std::optional<Hit> hit) {
+        if (!hit) return t_max;
+        hit->instance = instance;
+        if (!closest_ || is_closer(*hit, *closest_)) closest_ = hit;
+        return closest_->t;
+    }
+    const std::optional<Hit>& hit() const { return closest_; }
+
+private:
+    std::optional<Hit> closest_;
+};
+
+}  // namespace
+
+std::optional<Hit> Scene::closest_hit(const Ray& ray) const noexcept {
+    ClosestOfInstances closest;
+    visit_instances(ray, [&](std::uint32_t instance, const Ray& asked) {
+        const auto hit = ask_instance(instance, [&](const auto& surface, const WideTree* tree) {
+            return tree ? boxwood::closest_hit(surface, *tree, asked)
+                        : closest_hit_brute_force(surface, asked);
+        });
+        return closest.offer(instance, asked.t_max, hit);
+    });
+    return closest.hit();
+}
+
+std::optional<Hit> Scene::closest_hit(const Ray& ray, TraversalCounts& counts) const noexcept {
+    ClosestOfInstances closest;
+    visit_instances(
+        ray,
+        [&](std::uint32_t instance, const Ray& asked) {
+            const auto hit = ask_instance(instance, [&](const auto& surface, const WideTree*) {
+                if (trees_.empty()) return closest_hit_brute_force(surface, asked, &counts);
+                const Tree& tree = trees_[instances_[instance].mesh];
+                return boxwood::closest_hit(surface, tree, asked, &counts);
+            });
+            return closest.offer(instance, asked.t_max, hit);
+        },
+        &counts);
+    return closest.hit();
+}
+
+bool Scene::any_hit(const Ray& ray) const noexcept {
+    bool found = false;
+    visit_instances(ray, [&](std::uint32_t instance, const Ray& asked) {
+        found = found || ask_instance(instance, [&](const auto& surface, const WideTree* tree) {
+                    return tree ? boxwood::any_hit(surface, *tree, asked)
+                                : any_hit_brute_force(surface, asked);
+                });
+        return found ? kEndOfWalk : asked.t_max;
+    });
+    return found;
+}
+
+void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
+                         const BatchOptions& options) const {
+    check_hit_places(rays.size(), hits.size());
+    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
+    });
+}
+
+void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
+                     const BatchOptions& options) const {
+    check_hit_places(rays.size(), hits.size());
+    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(rays[i]);
+    });
+}
+
+}  // namespace boxwood
