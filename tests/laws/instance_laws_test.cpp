@@ -11,6 +11,7 @@
 
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
+#include "boxwood/scene/scene_sign.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -54,8 +55,9 @@ TriangleMesh placed(TriangleMesh mesh, const Eigen::Affine3d& map) {
     return mesh;
 }
 
-const std::vector<std::string> kFamilies = {"soup",         "cube", "needles",
-                                            "icosphere",    "grid", "with_bad_vertices",
+const std::vector<std::string> kFamilies = {"soup",         "cube",
+                                            "needles",      "icosphere",
+                                            "grid",         "with_bad_vertices",
                                             "one_triangle", "with_degenerate_ones"};
 
 TriangleMesh family(const std::string& name) {
@@ -186,6 +188,156 @@ TEST(InstanceLaws, no_ray_escapes_from_a_closed_instance) {
             for (const Vec3d& target : {flat.vertices[face[0]], edge}) {
                 const Ray ray = {.origin = middle, .direction = target - middle};
                 ASSERT_TRUE(scene.any_hit(ray)) << "seed " << seed;
+            }
+        }
+    }
+}
+
+/// About the instances, on them, and far from them.
+Vec3d random_point(const Placed& placed, Random& random) {
+    const TriangleMesh& mesh = placed.flat[random.index(placed.flat.size())];
+    if (mesh.vertices.empty()) return random.point(-2, 2);
+    const Vec3d vertex = mesh.vertices[random.index(mesh.vertices.size())];
+    switch (random.index(4)) {
+        case 0:
+            return vertex;
+        case 1:
+            return random.point(-1e3, 1e3);
+        default:
+            return vertex + random.number() * random.point(-1, 1);
+    }
+}
+
+TEST(InstanceLaws, closest_points_are_those_of_the_moved_meshes_to_the_last_bit) {
+    std::size_t found_any = 0;
+    for (std::uint64_t seed = 0; seed < 160; ++seed) {
+        const Placed several = some_instances(1 + seed % 5, seed);
+        const Scene scene(scene_meshes(several.meshes), several.instances, {});
+        const Scene brute(scene_meshes(several.meshes), several.instances, {.brute_force = true});
+        Random random(seed);
+        std::vector<Vec3d> points;
+        std::vector<ClosestPoint> expected;
+        const double radius = random.index(3) == 0 ? random.number() : HUGE_VAL;
+        for (int k = 0; k < 60; ++k) {
+            points.push_back(random_point(several, random));
+            ClosestPoint best;
+            for (std::uint32_t i = 0; i < several.flat.size(); ++i) {
+                auto each =
+                    closest_point_brute_force(MeshView(several.flat[i]), points.back(), radius);
+                if (!each) continue;
+                each->instance = i;
+                if (!best.is_found() || is_closer(*each, best)) best = *each;
+            }
+            expected.push_back(best);
+        }
+        std::vector<ClosestPoint> batch(points.size());
+        scene.closest_points(points, batch, radius);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const ClosestPoint one =
+                scene.closest_point(points[k], radius).value_or(ClosestPoint{});
+            const ClosestPoint by_force =
+                brute.closest_point(points[k], radius).value_or(ClosestPoint{});
+            for (const ClosestPoint& found : {one, batch[k], by_force}) {
+                ASSERT_EQ(found.triangle, expected[k].triangle) << "seed " << seed << " " << k;
+                ASSERT_EQ(found.instance, expected[k].instance) << "seed " << seed << " " << k;
+                ASSERT_TRUE(same_bits(found.distance, expected[k].distance));
+                ASSERT_TRUE(same_bits(found.u, expected[k].u));
+                ASSERT_EQ(found.point, expected[k].point);
+            }
+            found_any += one.is_found();
+        }
+    }
+    EXPECT_GT(found_any, 5000u);
+}
+
+/// What of the moved meshes the test says yes to.
+template <class Test>
+std::vector<TriangleId> all_touching(const Placed& placed, const Test& test) {
+    std::vector<TriangleId> found;
+    for (std::uint32_t i = 0; i < placed.flat.size(); ++i)
+        for (const std::uint32_t triangle : test(placed.flat[i])) found.push_back({i, triangle});
+    return found;
+}
+
+TEST(InstanceLaws, overlaps_are_those_of_the_moved_meshes) {
+    std::size_t touching = 0;
+    for (std::uint64_t seed = 0; seed < 160; ++seed) {
+        const Placed several = some_instances(1 + seed % 5, seed);
+        const Scene scene(scene_meshes(several.meshes), several.instances, {});
+        Random random(seed);
+        std::vector<Box3d> boxes;
+        std::vector<Sphere3d> spheres;
+        for (int k = 0; k < 20; ++k) {
+            const Vec3d point = random_point(several, random);
+            const double size = std::pow(10.0, random.number(-4, 2));
+            Box3d box;
+            box.extend(point).extend(point + size * random.point(0, 1));
+            const Sphere3d sphere = {point, size};
+            const auto in_box = all_touching(
+                several, [&](MeshView mesh) { return box_overlap_brute_force(mesh, box); });
+            const auto in_sphere = all_touching(
+                several, [&](MeshView mesh) { return sphere_overlap_brute_force(mesh, sphere); });
+            ASSERT_EQ(scene.box_overlap(box), in_box) << "seed " << seed << " " << k;
+            ASSERT_EQ(scene.sphere_overlap(sphere), in_sphere) << "seed " << seed << " " << k;
+            const TriangleCorners corners = {point, random_point(several, random),
+                                             random_point(several, random)};
+            bool touches = false;
+            for (const TriangleMesh& mesh : several.flat)
+                touches = touches || triangle_overlap_brute_force(MeshView(mesh), corners);
+            ASSERT_EQ(scene.triangle_overlap(corners), touches) << "seed " << seed << " " << k;
+            touching += in_box.size() + in_sphere.size() + touches;
+            boxes.push_back(box);
+            spheres.push_back(sphere);
+        }
+        const SceneOverlapLists by_box = scene.box_overlaps(boxes);
+        const SceneOverlapLists by_sphere = scene.sphere_overlaps(spheres);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const auto box = by_box[k], sphere = by_sphere[k];
+            ASSERT_EQ(std::vector(box.begin(), box.end()), scene.box_overlap(boxes[k]));
+            ASSERT_EQ(std::vector(sphere.begin(), sphere.end()), scene.sphere_overlap(spheres[k]));
+        }
+    }
+    EXPECT_GT(touching, 5000u);
+}
+
+/// Ellipsoids that don't touch, some of them mirrored: who is inside is known.
+TEST(InstanceLaws, signs_are_right_whatever_the_transform) {
+    const TriangleMesh sphere = family("icosphere");
+    std::vector<Instance> instances;
+    for (int i = 0; i < 8; ++i) {
+        Instance instance;
+        instance.to_world.translate(Vec3d(10.0 * i, 0, 0));
+        if (i % 2 == 1) instance.to_world.scale(Vec3d(1, -1, 1));
+        instance.to_world.rotate(Eigen::AngleAxisd(i, Vec3d(1, 2, 3).normalized()));
+        if (i >= 4) instance.to_world.scale(Vec3d(1, 0.2 * i, 0.5));
+        instances.push_back(instance);
+    }
+    for (const auto& method : sign_methods()) {
+        for (const bool brute_force : {false, true}) {
+            const Scene scene({sphere}, instances, {.brute_force = brute_force});
+            const SceneSign sign(scene, method.value);
+            EXPECT_TRUE(sign.is_trustworthy());
+            Random random(3);
+            std::vector<Vec3d> points;
+            std::vector<bool> inside;
+            while (points.size() < 400) {
+                const std::size_t i = random.index(instances.size());
+                const Vec3d local = random.point(-2, 2);
+                // Between the sphere and what its flat faces leave of it nobody knows.
+                if (local.norm() > 0.9 && local.norm() < 1.01) continue;
+                points.push_back(instances[i].to_world * local);
+                inside.push_back(local.norm() < 1);
+            }
+            std::vector<SignedDistance> results(points.size());
+            sign.signed_distances(points, results);
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                ASSERT_FALSE(results[k].is_undefined) << method.name << " " << k;
+                ASSERT_EQ(results[k].distance < 0, inside[k]) << method.name << " " << k;
+                const auto one = sign.signed_distance(points[k]);
+                ASSERT_TRUE(one);
+                ASSERT_EQ(one->distance, results[k].distance) << method.name << " " << k;
+                if (method.value == SignMethod::winding_number)
+                    ASSERT_NEAR(sign.winding_number(points[k]), inside[k] ? 1 : 0, 0.02) << k;
             }
         }
     }

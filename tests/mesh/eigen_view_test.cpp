@@ -33,8 +33,7 @@ TEST(EigenView, other_matrices_are_copied) {
     faces << 4, 0, 2;
     const TriangleMesh mesh = to_mesh(vertices, faces);
     ASSERT_EQ(mesh.vertices.size(), 5u);
-    for (int i = 0; i < 5; ++i)
-        EXPECT_EQ(mesh.vertices[i], Vec3d(vertices.row(i).cast<double>()));
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(mesh.vertices[i], Vec3d(vertices.row(i).cast<double>()));
     EXPECT_EQ(mesh.faces, (std::vector<Vec3i>{{4, 0, 2}}));
 }
 

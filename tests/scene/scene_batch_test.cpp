@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "boxwood/core/error.h"
@@ -9,6 +10,7 @@
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
+#include "boxwood/scene/scene_sign.h"
 #include "laws/hits.h"
 #include "laws/ray_families.h"
 
@@ -86,6 +88,34 @@ TEST(SceneBatch, can_be_watched_and_cancelled) {
                                   .cancellation = &cancellation};
     EXPECT_THROW(scene.closest_hits(rays, hits, options), Cancelled);
     EXPECT_THROW(any_hits(scene, rays, options), Cancelled);
+}
+
+TEST(SceneBatch, distances_can_be_watched_and_cancelled) {
+    const TriangleMesh mesh = generate_icosphere(100);
+    const Scene scene({mesh});
+    const SceneSign sign(scene, SignMethod::winding_number);
+    const std::vector<Vec3d> points(300'000, Vec3d(0.5, 0.25, 2));
+    const std::vector<Box3d> boxes(1000, Box3d{{0, 0, 0}, {1, 1, 1}});
+    std::vector<ClosestPoint> closest(points.size());
+    std::vector<SignedDistance> distances(points.size());
+    std::vector<double> numbers(points.size());
+    std::vector<double> parts;
+    scene.closest_points(points, closest, HUGE_VAL,
+                         {.progress = [&](double part) { parts.push_back(part); }});
+    EXPECT_GT(parts.size(), 10u);
+    EXPECT_LE(parts.size(), 1100u);
+    EXPECT_EQ(parts.back(), 1);
+    EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+
+    Cancellation cancellation;
+    const BatchOptions options = {.progress = [&](double) { cancellation.request(); },
+                                  .cancellation = &cancellation};
+    EXPECT_THROW(scene.closest_points(points, closest, HUGE_VAL, options), Cancelled);
+    EXPECT_THROW(sign.signed_distances(points, distances, HUGE_VAL, options), Cancelled);
+    EXPECT_THROW(sign.winding_numbers(points, numbers, options), Cancelled);
+    EXPECT_THROW(scene.box_overlaps(boxes, options), Cancelled);
+    EXPECT_THROW(scene.closest_points(points, {}), InvalidInput);
+    EXPECT_THROW(sign.signed_distances(points, {}), InvalidInput);
 }
 
 }  // namespace

@@ -48,8 +48,8 @@ struct Hit {
     bool is_hit() const { return triangle != TriangleId::kNone; }
 };
 
-/// The order of hits along a ray. Equal distances go to the lower (instance, triangle) index, so that
-/// the closest hit doesn't depend on the order in which a tree is walked.
+/// The order of hits along a ray. Equal distances go to the lower (instance, triangle) index, so
+/// that the closest hit doesn't depend on the order in which a tree is walked.
 inline bool is_closer(const Hit& a, const Hit& b) {
     if (a.t != b.t) return a.t < b.t;
     return a.instance != b.instance ? a.instance < b.instance : a.triangle < b.triangle;

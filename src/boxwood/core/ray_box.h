@@ -31,8 +31,7 @@ public:
         const Vec3d lo = bounds.lo.cast<double>() - ray.origin;
         const Vec3d hi = bounds.hi.cast<double>() - ray.origin;
         const double reach = lo.cwiseAbs().cwiseMax(hi.cwiseAbs()).maxCoeff();
-        const double rounding =
-            16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>()) + off;
+        const double rounding = 16 * 0x1p-52 * (reach + ray.origin.lpNorm<Eigen::Infinity>()) + off;
 
         // A zero coordinate of the direction would make 0 * infinity; one so small that it moves
         // the ray by less than the rounding does not.

@@ -58,7 +58,7 @@ inline bool on_one_side(double a, double b, double c) {
 }
 
 struct TriangleHit {
-    double t, u, v;  ///< as in Hit
+    double t, u, v;   ///< as in Hit
     bool from_front;  ///< the ray comes from where a, b, c turn counter-clockwise
 };
 

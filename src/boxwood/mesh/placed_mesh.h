@@ -16,7 +16,9 @@ struct PlacedMesh {
     const Placement* placement;
     bool culls_back_faces = false;  ///< rays that meet the back of a triangle go on
 
-    Vec3d corner(std::size_t face, int k) const { return placement->to_world(mesh.corner(face, k)); }
+    Vec3d corner(std::size_t face, int k) const {
+        return placement->to_world(mesh.corner(face, k));
+    }
 };
 
 // What queries ask of a mesh and of a placed one alike: corner(), and these.

@@ -2,6 +2,7 @@
 #include "boxwood/mesh/placement.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <cmath>
 
 #include "boxwood/core/error.h"
@@ -35,13 +36,12 @@ Placement::Placement(const Eigen::Affine3d& to_world)
         throw InvalidInput("found a transform that flattens space, expected one with an inverse");
     inverse_ = scale * inverse;
     norm_ = linear_.norm();
-    inverse_norm_ = inverse_.norm() * (1 + 2 * residual);
-    error_ = (8 * residual + 0x1p-46 * condition) * inverse_norm_;
+    error_ = (8 * residual + 0x1p-46 * condition) * inverse_.norm() * (1 + 2 * residual);
+    const Vec3d lengths = Eigen::JacobiSVD<Eigen::Matrix3d>(scaled).singularValues();
+    most_growth_ = lengths[0] * (1 + 0x1p-46) / scale;
+    most_shrinking_ = scale / (lengths[2] - 0x1p-46 * lengths[0]);
     is_mirrored_ = lu.determinant() < 0;
-
-    const Eigen::Matrix3d products = scaled.transpose() * scaled;
-    const double square = products.trace() / 3;
-    keeps_angles_ = (products - square * Eigen::Matrix3d::Identity()).norm() <= 1e-12 * square;
+    keeps_angles_ = lengths[0] <= lengths[2] * (1 + 1e-12);
 }
 
 }  // namespace boxwood

@@ -36,25 +36,29 @@ public:
     Vec3d to_local(const Vec3d& p) const { return inverse_ * (p - offset_); }
     Vec3d to_local_direction(const Vec3d& d) const { return inverse_ * d; }
 
-    /// Local lengths are at most so many times those in the world.
-    double most_shrinking() const { return inverse_norm_; }
     /// Lengths in the world are at most so many times local ones.
-    double most_growth() const { return norm_; }
+    double most_growth() const { return most_growth_; }
+    /// Local lengths are at most so many times those in the world.
+    double most_shrinking() const { return most_shrinking_; }
+
+    /// A bound on the coordinates in the world of what has local ones of that size at the most.
+    double largest_in_world(double largest_local) const {
+        return offset_.lpNorm<Eigen::Infinity>() + 2 * norm_ * largest_local;
+    }
 
     /// How far in local coordinates, at the most, places are from where they should be: of what is
     /// seen from that place of the world, on rays as well as on the mesh, whose local coordinates
     /// are at most the given size. Explained in docs/algorithms/instances.md.
     double rounding(const Vec3d& place, double largest_local) const {
-        const double reach = place.lpNorm<Eigen::Infinity>() + offset_.lpNorm<Eigen::Infinity>() +
-                             2 * norm_ * largest_local;
-        return error_ * reach;
+        return error_ * (place.lpNorm<Eigen::Infinity>() + largest_in_world(largest_local));
     }
 
 private:
     Eigen::Matrix3d linear_ = Eigen::Matrix3d::Identity();
     Eigen::Matrix3d inverse_ = Eigen::Matrix3d::Identity();
     Vec3d offset_ = Vec3d::Zero();
-    double norm_ = 1, inverse_norm_ = 1;
+    double norm_ = 1;
+    double most_growth_ = 1, most_shrinking_ = 1;
     double error_ = 0;
     bool is_identity_ = true, is_mirrored_ = false, keeps_angles_ = true;
 };

@@ -38,8 +38,8 @@ struct TriangleMesh {
 /// Throws InvalidInput, naming the face, when a face has an index outside [0, vertices).
 void check_indices(MeshView mesh);
 
-/// Whether boxes of floats can hold the triangle: its corners are finite and within their range. Else
-/// it has no place in a tree, and no query finds it.
+/// Whether boxes of floats can hold the triangle: its corners are finite and within their range.
+/// Else it has no place in a tree, and no query finds it.
 inline bool is_in_float_range(const MeshView& mesh, std::size_t face) {
     bool is_in_range = true;
     for (int corner = 0; corner < 3; ++corner) {

@@ -29,6 +29,9 @@ std::vector<Hit> all_hits_brute_force(MeshView mesh, const Ray& ray);
 std::optional<ClosestPoint> closest_point_brute_force(
     MeshView mesh, const Vec3d& point,
     double max_radius = std::numeric_limits<double>::infinity()) noexcept;
+std::optional<ClosestPoint> closest_point_brute_force(
+    const PlacedMesh& placed, const Vec3d& point,
+    double max_radius = std::numeric_limits<double>::infinity()) noexcept;
 
 /// The answer of winding_number() but for its errors, by summing up the solid angles of all
 /// triangles. O(n).
@@ -37,7 +40,12 @@ double winding_number_brute_force(MeshView mesh, const Vec3d& point) noexcept;
 /// The answers of box_overlap(), sphere_overlap() and triangle_overlap(), by testing every
 /// triangle.
 std::vector<std::uint32_t> box_overlap_brute_force(MeshView mesh, const Box3d& box);
+std::vector<std::uint32_t> box_overlap_brute_force(const PlacedMesh& placed, const Box3d& box);
 std::vector<std::uint32_t> sphere_overlap_brute_force(MeshView mesh, const Sphere3d& sphere);
+std::vector<std::uint32_t> sphere_overlap_brute_force(const PlacedMesh& placed,
+                                                      const Sphere3d& sphere);
 bool triangle_overlap_brute_force(MeshView mesh, const TriangleCorners& triangle) noexcept;
+bool triangle_overlap_brute_force(const PlacedMesh& placed,
+                                  const TriangleCorners& triangle) noexcept;
 
 }  // namespace boxwood

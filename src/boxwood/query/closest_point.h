@@ -6,10 +6,11 @@
 #include <optional>
 #include <span>
 
+#include "boxwood/core/batch.h"
 #include "boxwood/core/point_triangle.h"
 #include "boxwood/core/ray.h"
 #include "boxwood/core/vec.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
@@ -20,14 +21,16 @@ struct ClosestPoint {
     Vec3d point = Vec3d::Zero();  ///< (1 - u - v) a + u b + v c on the triangle (a, b, c)
     double u = 0, v = 0;
     std::uint32_t triangle = TriangleId::kNone;
+    std::uint32_t instance = 0;              ///< of a scene
     TrianglePart part = TrianglePart::face;  ///< of the triangle, where the point lies
 
     bool is_found() const { return triangle != TriangleId::kNone; }
 };
 
-/// Equal distances go to the lower triangle.
+/// Equal distances go to the lower (instance, triangle).
 inline bool is_closer(const ClosestPoint& a, const ClosestPoint& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.triangle < b.triangle;
+    if (a.distance != b.distance) return a.distance < b.distance;
+    return a.instance != b.instance ? a.instance < b.instance : a.triangle < b.triangle;
 }
 
 /// The place on the mesh nearest to the point, if there is one within max_radius, that included;
@@ -40,12 +43,17 @@ inline bool is_closer(const ClosestPoint& a, const ClosestPoint& b) {
 std::optional<ClosestPoint> closest_point(
     MeshView mesh, const WideTree& tree, const Vec3d& point,
     double max_radius = std::numeric_limits<double>::infinity()) noexcept;
+/// The same for a mesh that stands somewhere in the world, by the tree of the mesh where it is.
+std::optional<ClosestPoint> closest_point(
+    const PlacedMesh& placed, const WideTree& tree, const Vec3d& point,
+    double max_radius = std::numeric_limits<double>::infinity()) noexcept;
 
 /// The same for each point, in order; one that finds nothing gets a ClosestPoint{}. Runs on all
 /// cores, in an order of its own that doesn't show in the results, with a few megabytes of memory.
-/// Throws InvalidInput when the sizes differ.
+/// Throws InvalidInput when the sizes differ, and what BatchOptions says.
 void closest_points(MeshView mesh, const WideTree& tree, std::span<const Vec3d> points,
                     std::span<ClosestPoint> results,
-                    double max_radius = std::numeric_limits<double>::infinity());
+                    double max_radius = std::numeric_limits<double>::infinity(),
+                    const BatchOptions& options = {});
 
 }  // namespace boxwood

@@ -13,19 +13,20 @@ inline bool is_near_anything(const Vec3d& point, double max_radius) {
     return (point.array().abs() <= kFarthest).all() && max_radius >= 0;
 }
 
-/// A point whose distances to triangles of a mesh are asked for, and the closest so far: the one
-/// meaning of "closest" that every query shares.
+/// A point whose distances to triangles of a mesh, placed or not, are asked for, and the closest so
+/// far: the one meaning of "closest" that every query shares.
+template <class Surface>
 class MeshPoint {
 public:
     /// Precondition: is_near_anything(point, max_radius).
-    MeshPoint(MeshView mesh, const Vec3d& point, double max_radius)
-        : mesh_(mesh), point_(point), farthest_(max_radius) {}
+    MeshPoint(const Surface& surface, const Vec3d& point, double max_radius)
+        : surface_(surface), point_(point), farthest_(max_radius) {}
 
-    /// Precondition: a tree has a box for the triangle, see triangle_box().
+    /// Precondition: is_in_float_range(surface, triangle).
     void offer(std::uint32_t triangle) {
         const PlaceOnTriangle place =
-            nearest_place(point_, mesh_.corner(triangle, 0), mesh_.corner(triangle, 1),
-                          mesh_.corner(triangle, 2));
+            nearest_place(point_, surface_.corner(triangle, 0), surface_.corner(triangle, 1),
+                          surface_.corner(triangle, 2));
         const double distance = std::sqrt(place.squared_distance);
         // In this order most are turned away by one comparison.
         if (distance > farthest_ || (distance == distance_ && triangle > triangle_)) return;
@@ -39,13 +40,20 @@ public:
 
     ClosestPoint closest() const {
         if (triangle_ == TriangleId::kNone) return {};
-        const Vec3d &a = mesh_.corner(triangle_, 0), &b = mesh_.corner(triangle_, 1),
-                    &c = mesh_.corner(triangle_, 2);
-        return {distance_, place_at(place_, a, b, c), place_.u, place_.v, triangle_, place_.part};
+        const Vec3d &a = surface_.corner(triangle_, 0), &b = surface_.corner(triangle_, 1),
+                    &c = surface_.corner(triangle_, 2);
+        ClosestPoint closest;
+        closest.distance = distance_;
+        closest.point = place_at(place_, a, b, c);
+        closest.u = place_.u;
+        closest.v = place_.v;
+        closest.triangle = triangle_;
+        closest.part = place_.part;
+        return closest;
     }
 
 private:
-    MeshView mesh_;
+    Surface surface_;
     const Vec3d& point_;
     double farthest_;
     double distance_ = std::numeric_limits<double>::infinity();
@@ -53,15 +61,17 @@ private:
     PlaceOnTriangle place_;
 };
 
-inline double distance_to(MeshView mesh, std::uint32_t triangle, const Vec3d& point) {
-    return std::sqrt(nearest_place(point, mesh.corner(triangle, 0), mesh.corner(triangle, 1),
-                                   mesh.corner(triangle, 2))
+template <class Surface>
+double distance_to(const Surface& surface, std::uint32_t triangle, const Vec3d& point) {
+    return std::sqrt(nearest_place(point, surface.corner(triangle, 0), surface.corner(triangle, 1),
+                                   surface.corner(triangle, 2))
                          .squared_distance);
 }
 
 /// closest_point(), given one of another point, found or not: the nearer that point is, the sooner.
-/// It doesn't show in the answer.
-ClosestPoint closest_near(MeshView mesh, const WideTree& tree, const Vec3d& point,
+/// It doesn't show in the answer. For a Surface that is a MeshView or a PlacedMesh.
+template <class Surface>
+ClosestPoint closest_near(const Surface& surface, const WideTree& tree, const Vec3d& point,
                           double max_radius, const ClosestPoint& other) noexcept;
 
 }  // namespace boxwood

@@ -17,8 +17,7 @@ template <class Surface>
 class MeshRay {
 public:
     /// Precondition: is_traceable(ray).
-    MeshRay(const Surface& surface, const Ray& ray)
-        : surface_(surface), ray_(ray), sheared_(ray) {}
+    MeshRay(const Surface& surface, const Ray& ray) : surface_(surface), ray_(ray), sheared_(ray) {}
 
     std::optional<Hit> intersect(std::uint32_t triangle, double t_max) const {
         return tested(triangle, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -39,9 +38,8 @@ private:
     template <class Test>
     std::optional<Hit> tested(std::uint32_t triangle, const Test& test) const {
         if (triangle == ray_.skip.triangle) return std::nullopt;
-        const auto hit =
-            test(surface_.corner(triangle, 0), surface_.corner(triangle, 1),
-                 surface_.corner(triangle, 2));
+        const auto hit = test(surface_.corner(triangle, 0), surface_.corner(triangle, 1),
+                              surface_.corner(triangle, 2));
         if (!hit || !is_in_float_range(surface_, triangle) || !stops(surface_, hit->from_front))
             return std::nullopt;
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};

@@ -76,7 +76,8 @@ inline NearRay near_ray(const PlacedMesh& placed, const WideTree& tree, const Ra
     const Ray local = local_ray(*placed.placement, ray);
     constexpr double kTooFar = std::numeric_limits<double>::infinity();
     if (!is_traceable(local)) return NearRay(tree, {}, kTooFar);
-    return NearRay(tree, local, placed.placement->rounding(ray.origin, largest_coordinate(tree.bounds())));
+    return NearRay(tree, local,
+                   placed.placement->rounding(ray.origin, largest_coordinate(tree.bounds())));
 }
 
 /// Calls visit(triangle) for each triangle that the ray may hit, some twice where a builder splits

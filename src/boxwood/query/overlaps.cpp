@@ -2,11 +2,11 @@
 #include "boxwood/query/overlaps.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 
 #include "boxwood/core/error.h"
-#include "boxwood/core/parallel.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_point.h"
 
@@ -19,10 +19,25 @@ constexpr std::size_t kPiece = 256;
 
 Box3d in_double(const Box3f& box) { return {box.lo.cast<double>(), box.hi.cast<double>()}; }
 
-/// The largest coordinate of the mesh.
-double largest(const WideTree& tree) {
-    const Box3d bounds = in_double(tree.bounds());
-    return bounds.lo.cwiseAbs().cwiseMax(bounds.hi.cwiseAbs()).maxCoeff();
+/// A box around where the mesh, as its tree sees it, may touch the box.
+Box3d local_box(const MeshView& /*mesh*/, const WideTree& /*tree*/, const Box3d& box) {
+    return box;
+}
+Box3d local_box(const PlacedMesh& placed, const WideTree& tree, const Box3d& box) {
+    if (box.is_empty()) return box;
+    Box3d local;
+    double off = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3d p;
+        // An endless box is cut where no vertex of a mesh is beyond.
+        constexpr double kFarthest = 4.0 * FLT_MAX;
+        for (int k = 0; k < 3; ++k)
+            p[k] =
+                std::clamp((corner >> k & 1) != 0 ? box.hi[k] : box.lo[k], -kFarthest, kFarthest);
+        local.extend(placed.placement->to_local(p));
+        off = std::max(off, placed.placement->rounding(p, largest_coordinate(tree.bounds())));
+    }
+    return {local.lo - Vec3d::Constant(off), local.hi + Vec3d::Constant(off)};
 }
 
 /// Visits what may touch the box, some triangles twice, until a visit says true.
@@ -30,7 +45,7 @@ double largest(const WideTree& tree) {
 template <class Visit>
 void visit_touching(const WideTree& tree, const Box3d& box, Visit visit) {
     // Corners in blocks are rounded to float.
-    const double rounding = 0x1p-23 * largest(tree);
+    const double rounding = 0x1p-23 * largest_coordinate(tree.bounds());
     BoxQuery query;
     for (int k = 0; k < 3; ++k) {
         query.lo[k] = rounded_down(tree.scale() * (box.lo[k] - rounding));
@@ -48,11 +63,12 @@ void visit_touching(const WideTree& tree, const Box3d& box, Visit visit) {
 }
 
 /// Those that may touch the box and pass the test.
-template <class Test>
-std::vector<std::uint32_t> all_touching(const WideTree& tree, const Box3d& box, const Test& test) {
+template <class Surface, class Test>
+std::vector<std::uint32_t> all_touching(const Surface& surface, const WideTree& tree,
+                                        const Box3d& box, const Test& test) {
     std::vector<std::uint32_t> candidates;
     if (tree.is_empty()) return candidates;
-    const Box3d part = intersection(box, in_double(tree.bounds()));
+    const Box3d part = intersection(local_box(surface, tree, box), in_double(tree.bounds()));
     if (part.is_empty()) return candidates;
     visit_touching(tree, part, [&](std::uint32_t triangle) {
         candidates.push_back(triangle);
@@ -61,15 +77,54 @@ std::vector<std::uint32_t> all_touching(const WideTree& tree, const Box3d& box, 
     // Where a builder splits triangles, one is in several leaves.
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    const auto fails = [&](std::uint32_t triangle) { return !test(triangle); };
+    const auto fails = [&](std::uint32_t triangle) {
+        return !is_in_float_range(surface, triangle) || !test(triangle);
+    };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), fails), candidates.end());
     return candidates;
 }
 
+template <class Surface>
+std::vector<std::uint32_t> touching_box(const Surface& surface, const WideTree& tree,
+                                        const Box3d& box) {
+    return all_touching(surface, tree, box, [&](std::uint32_t triangle) {
+        return overlap(box, corners_of(surface, triangle));
+    });
+}
+
+template <class Surface>
+std::vector<std::uint32_t> touching_sphere(const Surface& surface, const WideTree& tree,
+                                           const Sphere3d& sphere, double largest) {
+    if (tree.is_empty() || !is_near_anything(sphere.center, sphere.radius)) return {};
+    // A distance in double may be less than the exact one by as much.
+    const double rounding =
+        0x1p-46 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest);
+    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
+    return all_touching(surface, tree, {sphere.center - reach, sphere.center + reach},
+                        [&](std::uint32_t triangle) {
+                            return distance_to(surface, triangle, sphere.center) <= sphere.radius;
+                        });
+}
+
+template <class Surface>
+bool touches_triangle(const Surface& surface, const WideTree& tree,
+                      const TriangleCorners& triangle) noexcept {
+    if (tree.is_empty() || !can_overlap(triangle)) return false;
+    const Box3d part =
+        intersection(local_box(surface, tree, box_of(triangle)), in_double(tree.bounds()));
+    if (part.is_empty()) return false;
+    bool found = false;
+    visit_touching(tree, part, [&](std::uint32_t other) {
+        found = is_in_float_range(surface, other) && overlap(triangle, corners_of(surface, other));
+        return found;
+    });
+    return found;
+}
+
 template <class Shape, class One>
-OverlapLists lists_of(std::span<const Shape> shapes, const One& one) {
+OverlapLists lists_of(std::span<const Shape> shapes, const BatchOptions& options, const One& one) {
     std::vector<std::vector<std::uint32_t>> found(shapes.size());
-    parallel_for(shapes.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    for_each_piece(shapes.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) found[i] = one(shapes[i]);
     });
     OverlapLists lists;
@@ -85,52 +140,49 @@ OverlapLists lists_of(std::span<const Shape> shapes, const One& one) {
 }  // namespace
 
 std::vector<std::uint32_t> box_overlap(MeshView mesh, const WideTree& tree, const Box3d& box) {
-    return all_touching(tree, box, [&](std::uint32_t triangle) {
-        return overlap(box, corners_of(mesh, triangle));
-    });
+    return touching_box(mesh, tree, box);
+}
+std::vector<std::uint32_t> box_overlap(const PlacedMesh& placed, const WideTree& tree,
+                                       const Box3d& box) {
+    return touching_box(placed, tree, box);
 }
 
 std::vector<std::uint32_t> sphere_overlap(MeshView mesh, const WideTree& tree,
                                           const Sphere3d& sphere) {
-    if (tree.is_empty() || !is_near_anything(sphere.center, sphere.radius)) return {};
-    // A distance in double may be less than the exact one by as much.
-    const double rounding =
-        0x1p-46 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest(tree));
-    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
-    return all_touching(tree, {sphere.center - reach, sphere.center + reach},
-                        [&](std::uint32_t triangle) {
-                            return distance_to(mesh, triangle, sphere.center) <= sphere.radius;
-                        });
+    return touching_sphere(mesh, tree, sphere, largest_coordinate(tree.bounds()));
+}
+std::vector<std::uint32_t> sphere_overlap(const PlacedMesh& placed, const WideTree& tree,
+                                          const Sphere3d& sphere) {
+    const double largest = placed.placement->largest_in_world(largest_coordinate(tree.bounds()));
+    return touching_sphere(placed, tree, sphere, largest);
 }
 
 bool triangle_overlap(MeshView mesh, const WideTree& tree,
                       const TriangleCorners& triangle) noexcept {
-    if (tree.is_empty() || !can_overlap(triangle)) return false;
-    const Box3d part = intersection(box_of(triangle), in_double(tree.bounds()));
-    if (part.is_empty()) return false;
-    bool found = false;
-    visit_touching(tree, part, [&](std::uint32_t other) {
-        found = overlap(triangle, corners_of(mesh, other));
-        return found;
-    });
-    return found;
+    return touches_triangle(mesh, tree, triangle);
+}
+bool triangle_overlap(const PlacedMesh& placed, const WideTree& tree,
+                      const TriangleCorners& triangle) noexcept {
+    return touches_triangle(placed, tree, triangle);
 }
 
-OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes) {
-    return lists_of(boxes, [&](const Box3d& box) { return box_overlap(mesh, tree, box); });
+OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes,
+                          const BatchOptions& options) {
+    return lists_of(boxes, options, [&](const Box3d& box) { return box_overlap(mesh, tree, box); });
 }
 
-OverlapLists sphere_overlaps(MeshView mesh, const WideTree& tree,
-                             std::span<const Sphere3d> spheres) {
-    return lists_of(spheres,
+OverlapLists sphere_overlaps(MeshView mesh, const WideTree& tree, std::span<const Sphere3d> spheres,
+                             const BatchOptions& options) {
+    return lists_of(spheres, options,
                     [&](const Sphere3d& sphere) { return sphere_overlap(mesh, tree, sphere); });
 }
 
 void triangle_overlaps(MeshView mesh, const WideTree& tree,
-                       std::span<const TriangleCorners> triangles, std::span<bool> results) {
+                       std::span<const TriangleCorners> triangles, std::span<bool> results,
+                       const BatchOptions& options) {
     if (triangles.size() != results.size())
         throw InvalidInput("triangle_overlaps: expected as many places for results as triangles");
-    parallel_for(triangles.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    for_each_piece(triangles.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             results[i] = triangle_overlap(mesh, tree, triangles[i]);
     });

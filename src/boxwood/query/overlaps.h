@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "boxwood/core/batch.h"
 #include "boxwood/core/box.h"
 #include "boxwood/core/separation.h"
 #include "boxwood/core/vec.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
@@ -21,8 +22,11 @@ namespace boxwood {
 // found. Precondition: the tree was made from this mesh. About O(log n) for each triangle found.
 // Explained in docs/algorithms/overlaps.md.
 
-inline TriangleCorners corners_of(MeshView mesh, std::uint32_t triangle) {
+inline TriangleCorners corners_of(const MeshView& mesh, std::uint32_t triangle) {
     return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+inline TriangleCorners corners_of(const PlacedMesh& placed, std::uint32_t triangle) {
+    return {placed.corner(triangle, 0), placed.corner(triangle, 1), placed.corner(triangle, 2)};
 }
 
 struct Sphere3d {
@@ -43,6 +47,14 @@ std::vector<std::uint32_t> sphere_overlap(MeshView mesh, const WideTree& tree,
 bool triangle_overlap(MeshView mesh, const WideTree& tree,
                       const TriangleCorners& triangle) noexcept;
 
+// The same for a mesh that stands somewhere in the world, by the tree of the mesh where it is.
+std::vector<std::uint32_t> box_overlap(const PlacedMesh& placed, const WideTree& tree,
+                                       const Box3d& box);
+std::vector<std::uint32_t> sphere_overlap(const PlacedMesh& placed, const WideTree& tree,
+                                          const Sphere3d& sphere);
+bool triangle_overlap(const PlacedMesh& placed, const WideTree& tree,
+                      const TriangleCorners& triangle) noexcept;
+
 /// Lists of triangles, one after another: the i-th is from offsets[i] to offsets[i + 1].
 struct OverlapLists {
     std::vector<std::size_t> offsets;
@@ -53,12 +65,14 @@ struct OverlapLists {
     }
 };
 
-// The same for each shape, on all cores.
-OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes);
-OverlapLists sphere_overlaps(MeshView mesh, const WideTree& tree,
-                             std::span<const Sphere3d> spheres);
+// The same for each shape, on all cores. They throw what BatchOptions says.
+OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes,
+                          const BatchOptions& options = {});
+OverlapLists sphere_overlaps(MeshView mesh, const WideTree& tree, std::span<const Sphere3d> spheres,
+                             const BatchOptions& options = {});
 /// Throws InvalidInput when the sizes differ.
 void triangle_overlaps(MeshView mesh, const WideTree& tree,
-                       std::span<const TriangleCorners> triangles, std::span<bool> results);
+                       std::span<const TriangleCorners> triangles, std::span<bool> results,
+                       const BatchOptions& options = {});
 
 }  // namespace boxwood

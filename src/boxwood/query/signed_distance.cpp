@@ -36,6 +36,19 @@ MeshSign::MeshSign(MeshView mesh, SignMethod method, const WindingOptions& windi
     }
 }
 
+Side side_by_winding(double number) {
+    constexpr double kFarthestFromWhole = 0.25;
+    return {std::abs(number) > 0.5, std::abs(number - std::round(number)) <= kFarthestFromWhole};
+}
+
+SignedDistance with_side(const ClosestPoint& closest, const Side& side) {
+    return {side.is_inside ? -closest.distance : closest.distance, !side.is_sure, closest};
+}
+
+double MeshSign::winding_number(const Vec3d& point) const noexcept {
+    return boxwood::winding_number(*winding_tree_, point, winding_);
+}
+
 Side MeshSign::side_of(const WideTree& tree, const Vec3d& point,
                        const ClosestPoint& closest) const noexcept {
     // From far away rounding decides which of two triangles is nearer, but nothing has to.
@@ -48,12 +61,8 @@ Side MeshSign::side_of(const WideTree& tree, const Vec3d& point,
     switch (method_) {
         case SignMethod::pseudonormal:
             return by_normal(tree, point, closest);
-        case SignMethod::winding_number: {
-            constexpr double kFarthestFromWhole = 0.25;
-            const double number = winding_number(*winding_tree_, point, winding_);
-            return {std::abs(number) > 0.5,
-                    std::abs(number - std::round(number)) <= kFarthestFromWhole};
-        }
+        case SignMethod::winding_number:
+            return side_by_winding(winding_number(point));
         default:
             return by_parity(tree, point);
     }
@@ -78,8 +87,7 @@ namespace {
 
 SignedDistance with_sign(const WideTree& tree, const MeshSign& sign, const Vec3d& point,
                          const ClosestPoint& closest) noexcept {
-    const Side side = sign.side_of(tree, point, closest);
-    return {side.is_inside ? -closest.distance : closest.distance, !side.is_sure, closest};
+    return with_side(closest, sign.side_of(tree, point, closest));
 }
 
 }  // namespace
@@ -94,10 +102,10 @@ std::optional<SignedDistance> signed_distance(MeshView mesh, const WideTree& tre
 
 void signed_distances(MeshView mesh, const WideTree& tree, const MeshSign& sign,
                       std::span<const Vec3d> points, std::span<SignedDistance> results,
-                      double max_radius) {
+                      double max_radius, const BatchOptions& options) {
     if (points.size() != results.size())
         throw InvalidInput("signed_distances: expected as many places for results as points");
-    for_each_along_curve(points, [&](std::size_t i, std::size_t before) {
+    for_each_along_curve(points, options, [&](std::size_t i, std::size_t before) {
         const ClosestPoint closest =
             closest_near(mesh, tree, points[i], max_radius,
                          before == kNoPoint ? ClosestPoint{} : results[before].closest);

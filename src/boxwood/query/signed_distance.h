@@ -30,6 +30,9 @@ struct Side {
     bool is_sure = false;  ///< else it is a guess
 };
 
+/// That of a point with this winding number.
+Side side_by_winding(double number);
+
 /// What a method has to know of a mesh. Refers to the mesh's arrays, which must outlive it and stay
 /// as they are. O(n log n) to make.
 class MeshSign {
@@ -47,6 +50,8 @@ public:
     /// Precondition: the tree was made from this mesh.
     Side side_of(const WideTree& tree, const Vec3d& point,
                  const ClosestPoint& closest) const noexcept;
+    /// Precondition: method() is winding_number.
+    double winding_number(const Vec3d& point) const noexcept;
 
 private:
     Side by_parity(const WideTree& tree, const Vec3d& point) const noexcept;
@@ -70,6 +75,9 @@ struct SignedDistance {
     ClosestPoint closest = {};
 };
 
+/// That of a point on that side with that closest point.
+SignedDistance with_side(const ClosestPoint& closest, const Side& side);
+
 /// The distance of closest_point(), with a sign. O(log n), with ray parity for each crossing.
 /// Preconditions: tree and sign were made from this mesh. See docs/algorithms/signed_distance.md.
 std::optional<SignedDistance> signed_distance(
@@ -79,6 +87,7 @@ std::optional<SignedDistance> signed_distance(
 /// The same for each point, as closest_points() does it. Throws InvalidInput when the sizes differ.
 void signed_distances(MeshView mesh, const WideTree& tree, const MeshSign& sign,
                       std::span<const Vec3d> points, std::span<SignedDistance> results,
-                      double max_radius = std::numeric_limits<double>::infinity());
+                      double max_radius = std::numeric_limits<double>::infinity(),
+                      const BatchOptions& options = {});
 
 }  // namespace boxwood

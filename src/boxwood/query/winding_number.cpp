@@ -187,10 +187,11 @@ double winding_number(const WindingTree& tree, const Vec3d& point,
 }
 
 void winding_numbers(const WindingTree& tree, std::span<const Vec3d> points,
-                     std::span<double> results, const WindingOptions& options) {
+                     std::span<double> results, const WindingOptions& options,
+                     const BatchOptions& batch) {
     if (points.size() != results.size())
         throw InvalidInput("winding_numbers: expected as many places for results as points");
-    parallel_for(points.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    for_each_piece(points.size(), kPiece, batch, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             results[i] = winding_number(tree, points[i], options);
     });

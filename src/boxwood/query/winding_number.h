@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "boxwood/core/batch.h"
 #include "boxwood/core/vec.h"
 #include "boxwood/mesh/triangle_mesh.h"
 
@@ -63,8 +64,10 @@ private:
 double winding_number(const WindingTree& tree, const Vec3d& point,
                       const WindingOptions& options = {}) noexcept;
 
-/// The same for each point, on all cores. Throws InvalidInput when the sizes differ.
+/// The same for each point, on all cores. Throws InvalidInput when the sizes differ, and what
+/// BatchOptions says.
 void winding_numbers(const WindingTree& tree, std::span<const Vec3d> points,
-                     std::span<double> results, const WindingOptions& options = {});
+                     std::span<double> results, const WindingOptions& options = {},
+                     const BatchOptions& batch = {});
 
 }  // namespace boxwood

@@ -34,7 +34,9 @@ Ray shortened_to(Ray ray, double t_max) {
 }  // namespace
 
 Surfaces::Surfaces(const World& world, const SceneOptions& options)
-    : world_(world), scene_(meshes_of(world), options), sphere_tree_(build_tree(sphere_boxes(world))) {}
+    : world_(world),
+      scene_(meshes_of(world), options),
+      sphere_tree_(build_tree(sphere_boxes(world))) {}
 
 std::optional<double> Surfaces::intersect(const Ray& ray, std::uint32_t sphere,
                                           double t_max) const {

@@ -21,8 +21,8 @@ struct SceneMesh {
     SceneMesh(const TriangleMesh& mesh, bool culls = false) : SceneMesh(MeshView(mesh), culls) {}
 };
 
-/// A mesh of a scene, moved. To rays it is what a mesh would be whose vertices were moved there, each
-/// rounded to double; the fronts of its triangles go with it, even where the map mirrors.
+/// A mesh of a scene, moved. To rays it is what a mesh would be whose vertices were moved there,
+/// each rounded to double; the fronts of its triangles go with it, even where the map mirrors.
 struct Instance {
     std::uint32_t mesh = 0;  ///< its place among the scene's meshes
     Eigen::Affine3d to_world = Eigen::Affine3d::Identity();

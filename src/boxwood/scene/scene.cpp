@@ -140,8 +140,7 @@ Box3f Scene::bounds_in_world(std::uint32_t instance) const {
         box.extend(placement.to_world(p));
     }
     // Room for the rounding of corners here and of vertices there.
-    const double size = placement.most_growth() * largest_coordinate(local) +
-                        placement.to_world(Vec3d::Zero()).lpNorm<Eigen::Infinity>();
+    const double size = placement.largest_in_world(largest_coordinate(local));
     const Vec3d room = Vec3d::Constant(0x1p-48 * size);
     return rounded_outward_within_float({box.lo - room, box.hi + room});
 }

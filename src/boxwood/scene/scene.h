@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/query/closest_point.h"
 #include "boxwood/query/hit_lists.h"
+#include "boxwood/query/overlaps.h"
 #include "boxwood/query/refit.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/query/wide_tree.h"
@@ -31,9 +34,19 @@ struct SceneOptions {
     bool keep_trees = false;
 };
 
+/// Lists of triangles, one after another: the i-th is from offsets[i] to offsets[i + 1].
+struct SceneOverlapLists {
+    std::vector<std::size_t> offsets = {0};
+    std::vector<TriangleId> triangles;
+
+    std::span<const TriangleId> operator[](std::size_t i) const {
+        return std::span(triangles).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+    }
+};
+
 /// Triangle meshes, and instances of them, that can be asked what a ray hits. It refers to the
-/// meshes' arrays, which must outlive it and stay as they are, but for refit(). Queries may run from
-/// any number of threads at once.
+/// meshes' arrays, which must outlive it and stay as they are, but for refit(). Queries may run
+/// from any number of threads at once.
 class Scene {
 public:
     /// An instance of each mesh, where it is. Throws InvalidInput when a face has an index out of
@@ -69,9 +82,9 @@ public:
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
-    /// The places where the ray goes through the instances, with t in [ray.t_min, ray.t_max], in the
-    /// order of t; equal t in that of (instance, triangle). Edges and vertices count once for each
-    /// crossing of each instance, by the rule of query/all_hits.h.
+    /// The places where the ray goes through the instances, with t in [ray.t_min, ray.t_max], in
+    /// the order of t; equal t in that of (instance, triangle). Edges and vertices count once for
+    /// each crossing of each instance, by the rule of query/all_hits.h.
     std::vector<Hit> all_hits(const Ray& ray) const;
     /// Their number.
     std::size_t count_hits(const Ray& ray) const;
@@ -88,23 +101,55 @@ public:
     void first_k_hits(std::span<const Ray> rays, std::size_t k, std::span<Hit> hits,
                       const BatchOptions& options = {}) const;
 
-    /// Of a triangle as it stands in the world, of unit length, from its front; zero for one of zero
-    /// area. Precondition: the scene has it.
+    /// The place nearest to the point on all instances, if there is one within max_radius, that
+    /// included; equal distances go to the lowest (instance, triangle). Distances are those in the
+    /// world. See closest_point.h.
+    std::optional<ClosestPoint> closest_point(
+        const Vec3d& point,
+        double max_radius = std::numeric_limits<double>::infinity()) const noexcept;
+    /// The same for each point, in order, on all cores, with a few megabytes of memory; one that
+    /// finds nothing gets a ClosestPoint{}. Throws InvalidInput when the sizes differ, Cancelled.
+    void closest_points(std::span<const Vec3d> points, std::span<ClosestPoint> results,
+                        double max_radius = std::numeric_limits<double>::infinity(),
+                        const BatchOptions& options = {}) const;
+
+    /// closest_point(), given one of another point, found or not: the nearer that point is, the
+    /// sooner. It doesn't show in the answer.
+    ClosestPoint closest_near(const Vec3d& point, double max_radius,
+                              const ClosestPoint& other) const noexcept;
+
+    /// The triangles that touch the box or the sphere, in order, as they stand in the world;
+    /// whether any touches the triangle. See overlaps.h.
+    std::vector<TriangleId> box_overlap(const Box3d& box) const;
+    std::vector<TriangleId> sphere_overlap(const Sphere3d& sphere) const;
+    bool triangle_overlap(const TriangleCorners& triangle) const noexcept;
+    /// The same for each, on all cores. Throw InvalidInput when the sizes differ, and Cancelled.
+    SceneOverlapLists box_overlaps(std::span<const Box3d> boxes,
+                                   const BatchOptions& options = {}) const;
+    SceneOverlapLists sphere_overlaps(std::span<const Sphere3d> spheres,
+                                      const BatchOptions& options = {}) const;
+    void triangle_overlaps(std::span<const TriangleCorners> triangles, std::span<bool> results,
+                           const BatchOptions& options = {}) const;
+
+    /// Of a triangle as it stands in the world, of unit length, from its front; zero for one of
+    /// zero area. Precondition: the scene has it.
     Vec3d geometric_normal(TriangleId id) const;
     Vec3d geometric_normal(const Hit& hit) const {
         return geometric_normal(TriangleId{hit.instance, hit.triangle});
     }
 
-    /// Fits the trees to vertices that have moved, in the arrays that the scene refers to; faces are
-    /// the same. All answers are then those of a new scene. How good the trees are yet, one figure a
-    /// mesh: see refit.h, which also says what it throws. No query may run meanwhile. O(n), all
-    /// cores.
+    /// Fits the trees to vertices that have moved, in the arrays that the scene refers to; faces
+    /// are the same. All answers are then those of a new scene. How good the trees are yet, one
+    /// figure a mesh: see refit.h, which also says what it throws. No query may run meanwhile.
+    /// O(n), all cores.
     std::vector<RefitQuality> refit();
 
     /// Replaces the instances; trees over meshes stay. Throws as the constructor does, and then
     /// leaves the scene as it was. No query may run meanwhile. O(n log n) in the instances.
     void set_instances(std::vector<Instance> instances);
 
+    /// Where the instances stand.
+    std::span<const Placement> placements() const { return placements_; }
     std::span<const Instance> instances() const { return instances_; }
     /// In double, those that were given in float as well.
     std::span<const MeshView> meshes() const { return meshes_; }
@@ -126,6 +171,8 @@ private:
     void visit_instances(const Ray& ray, const Visit& visit,
                          TraversalCounts* counts = nullptr) const noexcept;
     void add_crossings(const Ray& ray, std::vector<Hit>& hits) const;
+    template <class Touching>
+    std::vector<TriangleId> touching(const Box3d& box, const Touching& touching) const;
 
     void widen_vertices();
     void find_faults();

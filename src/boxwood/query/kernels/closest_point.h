@@ -29,7 +29,10 @@ template <class S>
 class NearTriangles {
 public:
     BOXWOOD_KERNEL NearTriangles(const PointQuery& query, const CandidateVisitor& visitor)
-        : margin_(query.margin), look_margin_(0x1p-20f * query.reach), visitor_(visitor) {
+        : margin_(query.margin),
+          spread_(query.spread),
+          look_margin_(0x1p-20f * query.reach),
+          visitor_(visitor) {
         shorten(query.farthest);
     }
 
@@ -43,9 +46,10 @@ public:
         const DistanceBounds<S> bounds = distance_bounds<S>(from);
         unsigned mask = S::less_equal(bounds.least, S::broadcast(farthest_));
         if (mask == 0) return;
-        const unsigned nearer = S::less(bounds.most, S::broadcast(nearest_));
+        const auto most = bounds.most * S::broadcast(spread_);
+        const unsigned nearer = S::less(most, S::broadcast(nearest_));
         if (nearer != 0) {
-            shorten(S::least(nearer, bounds.most));
+            shorten(S::least(nearer, most));
             mask = S::less_equal(bounds.least, S::broadcast(farthest_));
         }
         if (size_ > kCapacity - S::kWidth) make_room();
@@ -82,7 +86,7 @@ private:
         size_ = 0;
     }
 
-    float margin_, look_margin_;
+    float margin_, spread_, look_margin_;
     const CandidateVisitor& visitor_;
     float nearest_, farthest_, farthest_squared_, look_squared_;
     int size_ = 0;

@@ -23,6 +23,9 @@ struct PointQuery {
     float margin;    ///< a bound on what rounding of coordinates does to two distances
     float reach;     ///< a bound on the coordinates of what is seen from the point
     float farthest;  ///< how near one is known to be, or must be; at most 2^60
+    /// How many times as far as another a triangle has to be to be farther for sure, where
+    /// distances are meant in other coordinates than the tree's.
+    float spread = 1;
 };
 
 /// A box that walk_overlaps() looks for triangles in, rounded outward.
@@ -41,7 +44,8 @@ struct RayKernels {
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
                             const CandidateVisitor& visitor) noexcept;
     /// Visits each triangle that may be the nearest to the point and no farther than
-    /// query.farthest. A visit returns the distance of the nearest so far.
+    /// query.farthest. A visit returns the distance of the nearest so far, or beyond which nothing
+    /// is of interest.
     void (*walk_near_triangles)(const WideTreeView& tree, const PointQuery& query,
                                 const CandidateVisitor& visitor) noexcept;
     /// Visits each triangle that may touch the box, until a visit returns less than 0.
