@@ -15,7 +15,7 @@ template <class S, class... Counts>
 bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexcept {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
-    if (!is_traceable(ray)) return false;
+    if (!is_traceable<typename S::Quad>(ray)) return false;
 
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree);

@@ -35,7 +35,7 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
                      const CandidateVisitor& visitor) noexcept {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
-    if (!is_traceable(ray)) return;
+    if (!is_traceable<typename S::Quad>(ray)) return;
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree, extra_rounding);
     const NodeRay<S> node_ray(setup);

@@ -83,7 +83,7 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result,
                  Counts&... counts) noexcept {
     ClosestHit<S> closest;
     closest.t = ray.t_max;
-    if (is_traceable(ray)) {
+    if (is_traceable<typename S::Quad>(ray)) {
         RaySetup setup;
         setup.set<typename S::Quad>(ray, tree);
         const NodeRay<S> node_ray(setup);

@@ -15,17 +15,14 @@ constexpr float kLeastSlope = 0x1p-68f;
 
 /// Whether a query has to look at all: a ray hits nothing when a coordinate of it is NaN or beyond
 /// the limits above, or not t_min <= t_max.
+template <class Quad>
 BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
-    float length = 0, distance = 0, sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float size = __builtin_fabsf(ray.direction[k]);
-        const float far = __builtin_fabsf(ray.origin[k]);
-        if (size > length) length = size;
-        if (far > distance) distance = far;
-        sum += size + far;  // NaN if any is
-    }
-    return (sum == sum) & (length >= kShortestDirection) & (length <= kLongestDirection) &
-           (distance <= kFarthestOrigin) & (ray.t_min <= ray.t_max);
+    const auto direction = Quad::abs(Quad::load_unaligned(ray.direction));
+    const auto origin = Quad::abs(Quad::load_unaligned(ray.origin));
+    const unsigned is_near = Quad::less_equal(origin, Quad::broadcast(kFarthestOrigin)) &
+                             Quad::less_equal(direction, Quad::broadcast(kLongestDirection));
+    const unsigned is_long = Quad::less_equal(Quad::broadcast(kShortestDirection), direction);
+    return ((is_near & 7) == 7) & ((is_long & 7) != 0) & (ray.t_min <= ray.t_max);
 }
 
 /// All that the tests against boxes and triangles need of a ray, worked out once.
@@ -80,14 +77,13 @@ struct RaySetup {
         Quad::store(far_term, -((origin - outward) * reciprocal));
         octant = Quad::signs(direction) & 7;
 
-        // The first of the largest coordinates, found without a branch.
-        const float x = __builtin_fabsf(ray.direction[0]), y = __builtin_fabsf(ray.direction[1]),
-                    z = __builtin_fabsf(ray.direction[2]);
-        constexpr std::uint8_t kNext[] = {1, 2, 0};
-        kz = static_cast<std::uint32_t>(y > x);
-        kz = ((z > x) & (z > y)) ? 2 : kz;
-        kx = kNext[kz];
-        ky = kNext[kx];
+        // The first of the largest coordinates. Compilers make branches of comparisons and a table
+        // in memory of an array, hence the bits.
+        const auto length = Quad::abs(direction);
+        const unsigned longest = Quad::equal(length, Quad::largest_of_three(length));
+        kz = static_cast<std::uint32_t>(__builtin_ctz(longest));
+        kx = 0b00'10'01u >> (2 * kz) & 3;
+        ky = 0b01'00'10u >> (2 * kz) & 3;
         ox = ray.origin[kx];
         oy = ray.origin[ky];
         oz = ray.origin[kz];

@@ -132,7 +132,7 @@ private:
     BOXWOOD_KERNEL bool start_next(Slot& slot) {
         while (next_ < count_) {
             const std::size_t i = next_++;
-            if (!is_traceable(rays_[i])) {
+            if (!is_traceable<typename S::Quad>(rays_[i])) {
                 results_[i] = {};
                 continue;
             }
