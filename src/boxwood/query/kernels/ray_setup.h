@@ -40,17 +40,6 @@ struct RaySetup {
     float sx, sy, sz;          ///< the shear
     float t_min;
 
-    /// Where in a node of N children the faces along axis k are that the ray meets first and last,
-    /// in floats.
-    template <int N>
-    BOXWOOD_KERNEL std::size_t near_faces(int k) const {
-        return (2 * k + (octant >> k & 1)) * N;
-    }
-    template <int N>
-    BOXWOOD_KERNEL std::size_t far_faces(int k) const {
-        return (2 * k + 1 - (octant >> k & 1)) * N;
-    }
-
     /// The extra rounding is how far off the ray may be besides its own rounding to float.
     /// Precondition: is_traceable(ray).
     template <class Quad>
