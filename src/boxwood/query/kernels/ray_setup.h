@@ -52,18 +52,21 @@ struct RaySetup {
         const auto reciprocal = Quad::broadcast(1) / Quad::copy_sign(size, direction);
 
         // The origin is moved outward by a bound on all rounding: see docs/algorithms/ray_box.md.
-        const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
-        const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
-        const auto reach = Quad::largest_of_three(Quad::max(to_lo, to_hi)) +
-                           Quad::largest_of_three(Quad::abs(origin));
-        const auto bound = Quad::broadcast(0x1p-19f) * reach + Quad::broadcast(extra_rounding);
+        // Each step here delays the first node, so it is made of the farthest coordinate that there
+        // is, three of which are more than reach and origin together.
+        const auto extent = Quad::max(Quad::abs(Quad::load_unaligned(tree.lo)),
+                                      Quad::abs(Quad::load_unaligned(tree.hi)));
+        const auto farthest = Quad::largest_of_three(Quad::max(Quad::abs(origin), extent));
+        auto bound = Quad::broadcast(0x1.8p-18f) * farthest;
+        if (extra_rounding != 0) bound = bound + Quad::broadcast(extra_rounding);
         const auto outward = Quad::copy_sign(bound, direction);
         alignas(16) float bounds[4];
         Quad::store(bounds, bound);
         rounding = bounds[0];
+        const auto opposite = -reciprocal;
         Quad::store(inverse, reciprocal);
-        Quad::store(near_term, -((origin + outward) * reciprocal));
-        Quad::store(far_term, -((origin - outward) * reciprocal));
+        Quad::store(near_term, (origin + outward) * opposite);
+        Quad::store(far_term, (origin - outward) * opposite);
         octant = Quad::signs(direction) & 7;
 
         // The first of the largest coordinates. Compilers make branches of comparisons and a table
