@@ -20,7 +20,6 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexc
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree);
     const NodeRay<S> node_ray(setup);
-    const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     TriangleBlock<N> room;
@@ -45,8 +44,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexc
             }
         } else {
             count_block<N>(tree, current, false, counts...);
-            if (intersect<S>(block_at<N>(tree, current, room), block_ray, t_max).mask != 0)
-                return true;
+            if (intersect<S>(block_at<N>(tree, current, room), setup, t_max).mask != 0) return true;
         }
         if (size == 0) return false;
         current = references[--size];
