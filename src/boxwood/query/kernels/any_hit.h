@@ -15,12 +15,11 @@ template <class S, class... Counts>
 bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexcept {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
-    if (!is_traceable(ray)) return false;
+    if (!is_traceable<typename S::Quad>(ray)) return false;
 
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree);
     const NodeRay<S> node_ray(setup);
-    const BlockRay<S> block_ray(setup);
     const Float t_max = S::broadcast(ray.t_max);
     alignas(64) std::uint32_t references[kStackSize + kStackSlack];
     TriangleBlock<N> room;
@@ -45,8 +44,7 @@ bool any_hit(const WideTreeView& tree, const Rayf& ray, Counts&... counts) noexc
             }
         } else {
             count_block<N>(tree, current, false, counts...);
-            if (intersect<S>(block_at<N>(tree, current, room), block_ray, t_max).mask != 0)
-                return true;
+            if (intersect<S>(block_at<N>(tree, current, room), setup, t_max).mask != 0) return true;
         }
         if (size == 0) return false;
         current = references[--size];

@@ -14,7 +14,7 @@ namespace boxwood {
 /// sheared coordinate. An edge function's sign is sure beyond margin, a bound on what these errors
 /// and its own rounding make of it.
 template <class S>
-BOXWOOD_KERNEL unsigned candidates(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
+BOXWOOD_KERNEL unsigned candidates(const TriangleBlock<S::kWidth>& block, const RaySetup& ray,
                                    typename S::Float error) {
     using Float = typename S::Float;
     const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
@@ -35,17 +35,16 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
                      const CandidateVisitor& visitor) noexcept {
     constexpr int N = S::kWidth;
     using Float = typename S::Float;
-    if (!is_traceable(ray)) return;
+    if (!is_traceable<typename S::Quad>(ray)) return;
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree, extra_rounding);
     const NodeRay<S> node_ray(setup);
-    const BlockRay<S> block_ray(setup);
     const Float error = S::broadcast(setup.rounding);
     float farthest = ray.t_max;
     TriangleBlock<N> room;
     walk<S>(tree, setup, node_ray, farthest, [&](WideReference reference) {
         const TriangleBlock<N>& block = block_at<N>(tree, reference, room);
-        const unsigned mask = candidates<S>(block, block_ray, error);
+        const unsigned mask = candidates<S>(block, setup, error);
         if (mask != 0) farthest = visitor.visit(visitor.context, block.triangle, mask);
     });
 }

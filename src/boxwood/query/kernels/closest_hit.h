@@ -83,15 +83,14 @@ void closest_hit(const WideTreeView& tree, const Rayf& ray, Hitf& result,
                  Counts&... counts) noexcept {
     ClosestHit<S> closest;
     closest.t = ray.t_max;
-    if (is_traceable(ray)) {
+    if (is_traceable<typename S::Quad>(ray)) {
         RaySetup setup;
         setup.set<typename S::Quad>(ray, tree);
         const NodeRay<S> node_ray(setup);
-        const BlockRay<S> block_ray(setup);
         TriangleBlock<S::kWidth> room;
         const auto visit = [&](WideReference reference) {
             const auto& block = block_at<S::kWidth>(tree, reference, room);
-            const BlockHit<S> hit = intersect<S>(block, block_ray, S::broadcast(closest.t));
+            const BlockHit<S> hit = intersect<S>(block, setup, S::broadcast(closest.t));
             count_block<S::kWidth>(tree, reference, hit.mask != 0, counts...);
             if (hit.mask != 0) closest.offer(block, reference, hit);
         };

@@ -39,7 +39,7 @@ struct FrustumRays {
     /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart.
     BOXWOOD_KERNEL bool load(const WideTreeView& tree, const Rayf* rays) {
         const Rayf& first = rays[0];
-        if (!(first.t_min >= 0) || !is_traceable(first)) return false;
+        if (!(first.t_min >= 0) || !is_traceable<typename S::Quad>(first)) return false;
         RaySetup setup;
         setup.template set<typename S::Quad>(first, tree);
         axis[0] = setup.kx;

@@ -15,17 +15,14 @@ constexpr float kLeastSlope = 0x1p-68f;
 
 /// Whether a query has to look at all: a ray hits nothing when a coordinate of it is NaN or beyond
 /// the limits above, or not t_min <= t_max.
+template <class Quad>
 BOXWOOD_KERNEL bool is_traceable(const Rayf& ray) {
-    float length = 0, distance = 0, sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float size = __builtin_fabsf(ray.direction[k]);
-        const float far = __builtin_fabsf(ray.origin[k]);
-        if (size > length) length = size;
-        if (far > distance) distance = far;
-        sum += size + far;  // NaN if any is
-    }
-    return (sum == sum) & (length >= kShortestDirection) & (length <= kLongestDirection) &
-           (distance <= kFarthestOrigin) & (ray.t_min <= ray.t_max);
+    const auto direction = Quad::abs(Quad::load_unaligned(ray.direction));
+    const auto origin = Quad::abs(Quad::load_unaligned(ray.origin));
+    const unsigned is_near = Quad::less_equal(origin, Quad::broadcast(kFarthestOrigin)) &
+                             Quad::less_equal(direction, Quad::broadcast(kLongestDirection));
+    const unsigned is_long = Quad::less_equal(Quad::broadcast(kShortestDirection), direction);
+    return ((is_near & 7) == 7) & ((is_long & 7) != 0) & (ray.t_min <= ray.t_max);
 }
 
 /// All that the tests against boxes and triangles need of a ray, worked out once.
@@ -43,17 +40,6 @@ struct RaySetup {
     float sx, sy, sz;          ///< the shear
     float t_min;
 
-    /// Where in a node of N children the faces along axis k are that the ray meets first and last,
-    /// in floats.
-    template <int N>
-    BOXWOOD_KERNEL std::size_t near_faces(int k) const {
-        return (2 * k + (octant >> k & 1)) * N;
-    }
-    template <int N>
-    BOXWOOD_KERNEL std::size_t far_faces(int k) const {
-        return (2 * k + 1 - (octant >> k & 1)) * N;
-    }
-
     /// The extra rounding is how far off the ray may be besides its own rounding to float.
     /// Precondition: is_traceable(ray).
     template <class Quad>
@@ -66,28 +52,30 @@ struct RaySetup {
         const auto reciprocal = Quad::broadcast(1) / Quad::copy_sign(size, direction);
 
         // The origin is moved outward by a bound on all rounding: see docs/algorithms/ray_box.md.
-        const auto to_lo = Quad::abs(Quad::load_unaligned(tree.lo) - origin);
-        const auto to_hi = Quad::abs(Quad::load_unaligned(tree.hi) - origin);
-        const auto reach = Quad::largest_of_three(Quad::max(to_lo, to_hi)) +
-                           Quad::largest_of_three(Quad::abs(origin));
-        const auto bound = Quad::broadcast(0x1p-19f) * reach + Quad::broadcast(extra_rounding);
+        // Each step here delays the first node, so it is made of the farthest coordinate that there
+        // is, three of which are more than reach and origin together.
+        const auto extent = Quad::max(Quad::abs(Quad::load_unaligned(tree.lo)),
+                                      Quad::abs(Quad::load_unaligned(tree.hi)));
+        const auto farthest = Quad::largest_of_three(Quad::max(Quad::abs(origin), extent));
+        auto bound = Quad::broadcast(0x1.8p-18f) * farthest;
+        if (extra_rounding != 0) bound = bound + Quad::broadcast(extra_rounding);
         const auto outward = Quad::copy_sign(bound, direction);
         alignas(16) float bounds[4];
         Quad::store(bounds, bound);
         rounding = bounds[0];
+        const auto opposite = -reciprocal;
         Quad::store(inverse, reciprocal);
-        Quad::store(near_term, -((origin + outward) * reciprocal));
-        Quad::store(far_term, -((origin - outward) * reciprocal));
+        Quad::store(near_term, (origin + outward) * opposite);
+        Quad::store(far_term, (origin - outward) * opposite);
         octant = Quad::signs(direction) & 7;
 
-        // The first of the largest coordinates, found without a branch.
-        const float x = __builtin_fabsf(ray.direction[0]), y = __builtin_fabsf(ray.direction[1]),
-                    z = __builtin_fabsf(ray.direction[2]);
-        constexpr std::uint8_t kNext[] = {1, 2, 0};
-        kz = static_cast<std::uint32_t>(y > x);
-        kz = ((z > x) & (z > y)) ? 2 : kz;
-        kx = kNext[kz];
-        ky = kNext[kx];
+        // The first of the largest coordinates. Compilers make branches of comparisons and a table
+        // in memory of an array, hence the bits.
+        const auto length = Quad::abs(direction);
+        const unsigned longest = Quad::equal(length, Quad::largest_of_three(length));
+        kz = static_cast<std::uint32_t>(__builtin_ctz(longest));
+        kx = 0b00'10'01u >> (2 * kz) & 3;
+        ky = 0b01'00'10u >> (2 * kz) & 3;
         ox = ray.origin[kx];
         oy = ray.origin[ky];
         oz = ray.origin[kz];

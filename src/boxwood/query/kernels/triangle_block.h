@@ -14,27 +14,6 @@ namespace boxwood {
 /// Below this the products that make it up have lost digits to underflow.
 constexpr float kLeastDeterminant = 0x1p-100f;
 
-/// A ray in every lane, for triangles.
-template <class S>
-struct BlockRay {
-    using Float = typename S::Float;
-
-    std::uint32_t kx, ky, kz;
-    Float ox, oy, oz, sx, sy, sz, t_min;
-
-    explicit BOXWOOD_KERNEL BlockRay(const RaySetup& ray)
-        : kx(ray.kx),
-          ky(ray.ky),
-          kz(ray.kz),
-          ox(S::broadcast(ray.ox)),
-          oy(S::broadcast(ray.oy)),
-          oz(S::broadcast(ray.oz)),
-          sx(S::broadcast(ray.sx)),
-          sy(S::broadcast(ray.sy)),
-          sz(S::broadcast(ray.sz)),
-          t_min(S::broadcast(ray.t_min)) {}
-};
-
 /// Which lanes of a block are hit within [t_min, t_max], and where: t, and the weights of the
 /// corners b and c times the determinant. Only lanes of the mask mean anything.
 template <class S>
@@ -54,9 +33,13 @@ struct ShearedCorner {
     /// The corner's place from the origin, along kx, ky and kz.
     BOXWOOD_KERNEL ShearedCorner(Float from_x, Float from_y, Float from_z, Float sx, Float sy)
         : x(from_x - sx * from_z), y(from_y - sy * from_z), z(from_z) {}
-    BOXWOOD_KERNEL ShearedCorner(const float (&corner)[3][S::kWidth], const BlockRay<S>& ray)
-        : ShearedCorner(S::load(corner[ray.kx]) - ray.ox, S::load(corner[ray.ky]) - ray.oy,
-                        S::load(corner[ray.kz]) - ray.oz, ray.sx, ray.sy) {}
+    /// What is the same in all lanes is read where it is needed, which most instruction sets do for
+    /// nothing: half of the rays come to no block or one.
+    BOXWOOD_KERNEL ShearedCorner(const float (&corner)[3][S::kWidth], const RaySetup& ray)
+        : ShearedCorner(S::load(corner[ray.kx]) - S::broadcast(ray.ox),
+                        S::load(corner[ray.ky]) - S::broadcast(ray.oy),
+                        S::load(corner[ray.kz]) - S::broadcast(ray.oz), S::broadcast(ray.sx),
+                        S::broadcast(ray.sy)) {}
 };
 
 /// a b - c d with an error of at most 1.5 units in the last place, given c d rounded.
@@ -109,11 +92,11 @@ BOXWOOD_KERNEL BlockHit<S> intersect(const ShearedCorner<S>& a, const ShearedCor
 
 /// One ray and the triangles of a block.
 template <class S>
-BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const BlockRay<S>& ray,
+BOXWOOD_KERNEL BlockHit<S> intersect(const TriangleBlock<S::kWidth>& block, const RaySetup& ray,
                                      typename S::Float t_max) {
     const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
         c(block.corner[2], ray);
-    return intersect<S>(a, b, c, ray.sz, ray.t_min, t_max);
+    return intersect<S>(a, b, c, S::broadcast(ray.sz), S::broadcast(ray.t_min), t_max);
 }
 
 }  // namespace boxwood

@@ -132,7 +132,7 @@ private:
     BOXWOOD_KERNEL bool start_next(Slot& slot) {
         while (next_ < count_) {
             const std::size_t i = next_++;
-            if (!is_traceable(rays_[i])) {
+            if (!is_traceable<typename S::Quad>(rays_[i])) {
                 results_[i] = {};
                 continue;
             }
@@ -188,8 +188,7 @@ private:
 
     BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
         const TriangleBlock<N>& block = block_at<N>(tree_, slot.current, room_);
-        const BlockHit<S> hit =
-            intersect<S>(block, BlockRay<S>(slot.setup), S::broadcast(slot.closest.t));
+        const BlockHit<S> hit = intersect<S>(block, slot.setup, S::broadcast(slot.closest.t));
         if constexpr (kAnyHit) {
             if (hit.mask != 0) {
                 slot.closest.triangle = 0;
