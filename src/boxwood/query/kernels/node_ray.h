@@ -30,6 +30,7 @@ constexpr std::array<FacePlaces<N>, 8> face_places() {
     }
     return places;
 }
+
 /// Read from a table, as compilers gather what is worked out for a ray in vectors and take it
 /// apart.
 template <int N>

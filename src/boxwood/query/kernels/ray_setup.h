@@ -52,12 +52,12 @@ struct RaySetup {
         const auto reciprocal = Quad::broadcast(1) / Quad::copy_sign(size, direction);
 
         // The origin is moved outward by a bound on all rounding: see docs/algorithms/ray_box.md.
-        // Each step here delays the first node, so it is made of the farthest coordinate that there
-        // is, three of which are more than reach and origin together.
+        // Each step here delays the first node, so it is made of the one largest coordinate that
+        // takes part.
         const auto extent = Quad::max(Quad::abs(Quad::load_unaligned(tree.lo)),
                                       Quad::abs(Quad::load_unaligned(tree.hi)));
         const auto farthest = Quad::largest_of_three(Quad::max(Quad::abs(origin), extent));
-        auto bound = Quad::broadcast(0x1.8p-18f) * farthest;
+        auto bound = Quad::broadcast(0x1p-18f) * farthest;
         if (extra_rounding != 0) bound = bound + Quad::broadcast(extra_rounding);
         const auto outward = Quad::copy_sign(bound, direction);
         alignas(16) float bounds[4];
