@@ -176,7 +176,7 @@ TEST_F(WideTreeFile, changed_trees_are_refused) {
         const std::size_t place = tree + random.index(content_.size() - tree);
         changed[place] = static_cast<char>(changed[place] ^ (1 + random.index(255)));
         const std::string error = error_with(changed);
-        ASSERT_EQ(error.find(expected(":byte 65536: found a tree of checksum ")), 0u)
+        ASSERT_EQ(error.find(expected(":byte 4096: found a tree of checksum ")), 0u)
             << "seed " << seed << ": " << error;
     }
 }

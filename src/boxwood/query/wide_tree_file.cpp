@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
-#include "boxwood/core/files.h"
 #include "boxwood/core/hash.h"
 #include "boxwood/query/kernels/wide_walk.h"
 #include "boxwood/query/wide_fault.h"
@@ -29,8 +28,6 @@ namespace {
 constexpr std::array<char, 8> kMagic = {'\x89', 'B', 'X', 'W', '\r', '\n', '\x1a', '\n'};
 constexpr std::uint32_t kByteOrder = 0x01020304, kSwappedByteOrder = 0x04030201;
 constexpr std::uint32_t kVersion = 1;
-/// Systems map whole pages; the largest that are common have 64 KiB.
-constexpr std::size_t kPage = std::size_t{1} << 16;
 
 struct Header {
     std::array<char, 8> magic = kMagic;
@@ -58,17 +55,15 @@ std::uint64_t hash_of_all(std::span<const T> values) {
 
 std::size_t offset_after(std::size_t left_out) {
     const std::size_t bytes = sizeof(Header) + left_out * sizeof(std::uint32_t);
-    return (bytes + kPage - 1) / kPage * kPage;
+    return (bytes + kTreeAlignment - 1) / kTreeAlignment * kTreeAlignment;
 }
 
 /// Reads the file's front, and throws what is wrong with it.
 class Reader {
 public:
-    explicit Reader(const fs::path& path)
-        : name_(path.string()), file_(std::make_shared<MappedFile>(path, FileAccess::random)) {
-        const std::string_view text = file_->text();
-        const std::size_t size = std::min(text.size(), sizeof(Header));
-        if (size > 0) std::memcpy(&header_, text.data(), size);
+    explicit Reader(const PartOfFile& part) : part_(part) {
+        const std::size_t size = std::min(part_.bytes.size(), sizeof(Header));
+        if (size > 0) std::memcpy(&header_, part_.bytes.data(), size);
         if (size < sizeof(kMagic) || header_.magic != kMagic)
             fail("byte 0", "found no saved tree, expected one");
         if (size < sizeof(Header))
@@ -90,7 +85,7 @@ public:
     std::vector<std::uint32_t> left_out() const {
         std::vector<std::uint32_t> result(header_.left_out);
         if (!result.empty())
-            std::memcpy(result.data(), file_->text().data() + sizeof(Header),
+            std::memcpy(result.data(), part_.bytes.data() + sizeof(Header),
                         result.size() * sizeof(result[0]));
         for (std::size_t i = 0; i < result.size(); ++i) {
             if (result[i] >= header_.faces || (i > 0 && result[i] <= result[i - 1]))
@@ -100,27 +95,26 @@ public:
     }
 
     WideMemory memory() const {
-        const auto bytes = std::as_bytes(std::span(file_->text()));
-        return {bytes.subspan(header_.tree_offset, header_.tree_bytes), file_};
+        return {part_.bytes.subspan(header_.tree_offset, header_.tree_bytes), part_.owner};
     }
 
     [[noreturn]] void fail(const std::string& place, const std::string& message) const {
-        throw ParseError(name_, place, message);
+        throw ParseError(part_.name, place, message);
     }
     [[noreturn]] void refuse(const std::string& message) const {
-        throw InvalidInput(name_ + ": " + message);
+        throw InvalidInput(part_.name + ": " + message);
     }
 
 private:
     void check_front() const {
-        const std::size_t size = file_->text().size();
+        const std::size_t size = part_.bytes.size();
         if (header_.tree_offset > size || header_.tree_offset < sizeof(Header) ||
             header_.left_out > size || header_.tree_offset != offset_after(header_.left_out))
             fail("byte 72", fmt::format("found {} bytes and a tree at byte {}, expected it within",
                                         size, header_.tree_offset));
-        std::vector<char> front(file_->text().data(), file_->text().data() + header_.tree_offset);
+        std::vector<std::byte> front(part_.bytes.data(), part_.bytes.data() + header_.tree_offset);
         std::memset(front.data() + offsetof(Header, front_hash), 0, sizeof(header_.front_hash));
-        const std::uint64_t found = hash_of_all(std::span<const char>(front));
+        const std::uint64_t found = hash_of(front);
         if (found != header_.front_hash)
             fail("byte 136", fmt::format("found a front of checksum {:016x}, expected {:016x}",
                                          found, header_.front_hash));
@@ -131,8 +125,7 @@ private:
             fail("byte 16", "found values out of range, expected a tree's");
     }
 
-    std::string name_;
-    std::shared_ptr<const MappedFile> file_;
+    const PartOfFile& part_;
     Header header_;
 };
 
@@ -146,13 +139,14 @@ std::optional<InstructionSet> set_of_width(std::uint32_t width) {
     return best;
 }
 
-void check_mesh(const Reader& reader, MeshView mesh) {
+void check_mesh(const Reader& reader, MeshView mesh, bool trust) {
     const Header& header = reader.header();
     if (header.faces != mesh.faces.size() || header.vertices != mesh.vertices.size())
         reader.refuse(
             fmt::format("found a tree for {} vertices and {} faces, expected one for the "
                         "mesh's {} and {}",
                         header.vertices, header.faces, mesh.vertices.size(), mesh.faces.size()));
+    if (trust) return;
     if (header.faces_hash != hash_of_all(mesh.faces))
         reader.refuse("found a tree for other faces, expected one for the mesh's");
     if (header.vertices_hash != hash_of_all(mesh.vertices))
@@ -161,12 +155,15 @@ void check_mesh(const Reader& reader, MeshView mesh) {
 
 }  // namespace
 
-void save_wide_tree(const WideTree& tree, MeshView mesh, const fs::path& path) {
+std::size_t saved_bytes(const WideTree& tree) {
+    return offset_after(tree.parts().left_out.size()) + tree.bytes();
+}
+
+void write_wide_tree(OutputFile& file, const WideTree& tree, MeshView mesh) {
     const WideTreeParts& parts = tree.parts();
     if (mesh.faces.size() != parts.faces)
         throw InvalidInput(fmt::format("save_wide_tree: the mesh has {} faces, expected {}",
                                        mesh.faces.size(), parts.faces));
-    OutputFile file(path);
     const std::span<const std::byte> bytes(parts.memory.data(), parts.memory.size());
     Header header;
     header.width = static_cast<std::uint32_t>(tree.width());
@@ -197,17 +194,22 @@ void save_wide_tree(const WideTree& tree, MeshView mesh, const fs::path& path) {
     std::memcpy(front.data(), &header, sizeof(header));
     file.write(front);
     file.write(bytes);
+}
+
+void save_wide_tree(const WideTree& tree, MeshView mesh, const fs::path& path) {
+    OutputFile file(path);
+    write_wide_tree(file, tree, mesh);
     file.commit();
 }
 
-WideTree open_wide_tree(const fs::path& path, MeshView mesh, const OpenTreeOptions& options) {
-    const Reader reader(path);
+WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptions& options) {
+    const Reader reader(part);
     const Header& header = reader.header();
     const auto set = set_of_width(header.width);
     if (!set)
         reader.refuse(fmt::format(
             "found {} children a node, expected a width that this machine can walk", header.width));
-    check_mesh(reader, mesh);
+    check_mesh(reader, mesh, options.trust_mesh);
     WideTreeParts parts;
     parts.instruction_set = *set;
     parts.memory = reader.memory();
@@ -235,6 +237,12 @@ WideTree open_wide_tree(const fs::path& path, MeshView mesh, const OpenTreeOptio
             reader.fail("", "found a tree in which " + *fault + ", expected a sound one");
     }
     return WideTree(std::move(parts));
+}
+
+WideTree open_wide_tree(const fs::path& path, MeshView mesh, const OpenTreeOptions& options) {
+    const auto file = std::make_shared<MappedFile>(path, FileAccess::random);
+    return wide_tree_in({path.string(), std::as_bytes(std::span(file->text())), file}, mesh,
+                        options);
 }
 
 }  // namespace boxwood

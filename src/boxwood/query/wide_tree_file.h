@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
 
+#include "boxwood/core/files.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
@@ -18,6 +23,8 @@ struct OpenTreeOptions {
     /// walk comes by. For files that nobody else can write and no disk has spoiled: a bad one may
     /// then make queries crash or loop.
     bool trust = false;
+    /// Don't hash the mesh, only count it: where it lies in the same file, that is trusted.
+    bool trust_mesh = false;
 };
 
 /// The tree as it lies in the file: pages are shared with all who opened it. It keeps the file
@@ -30,5 +37,24 @@ struct OpenTreeOptions {
 /// mesh or has a width that this machine can't walk.
 WideTree open_wide_tree(const std::filesystem::path& path, MeshView mesh,
                         const OpenTreeOptions& options = {});
+
+// The same within a larger file, such as that of a scene.
+
+/// A page on most systems, so that few are read for nothing.
+constexpr std::size_t kTreeAlignment = std::size_t{1} << 12;
+
+/// Bytes of a file that is mapped: they stay as they are for as long as the owner lives.
+struct PartOfFile {
+    std::string name;  ///< what messages call it
+    std::span<const std::byte> bytes;
+    std::shared_ptr<const void> owner;
+};
+
+/// How long the file of a tree is.
+std::size_t saved_bytes(const WideTree& tree);
+/// Writes what save_wide_tree() does. Precondition: the file is a multiple of kTreeAlignment long.
+void write_wide_tree(OutputFile& file, const WideTree& tree, MeshView mesh);
+/// Precondition: the part begins at a multiple of kTreeAlignment in the file.
+WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptions& options = {});
 
 }  // namespace boxwood

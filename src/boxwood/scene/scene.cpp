@@ -87,6 +87,20 @@ Scene::Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
     build_top();
 }
 
+Scene::Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
+             std::vector<WideTree> trees, BuildReport report, std::shared_ptr<const void> owner,
+             bool trust)
+    : owner_(std::move(owner)),
+      given_(std::move(meshes)),
+      instances_(std::move(instances)),
+      wide_trees_(std::move(trees)),
+      report_(std::move(report)) {
+    placements_ = placements_of(instances_, given_.size());
+    widen_vertices();
+    if (!trust) check_all_indices(meshes_);
+    build_top();
+}
+
 void Scene::widen_vertices() {
     widened_.resize(given_.size());
     meshes_.resize(given_.size());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +25,8 @@
 #include "boxwood/tree/tree.h"
 
 namespace boxwood {
+
+struct OpenSceneOptions;
 
 /// How a scene finds its hits.
 struct SceneOptions {
@@ -150,6 +154,7 @@ public:
 
     /// Where the instances stand.
     std::span<const Placement> placements() const { return placements_; }
+    bool culls_back_faces(std::size_t mesh) const { return given_[mesh].culls_back_faces; }
     std::span<const Instance> instances() const { return instances_; }
     /// In double, those that were given in float as well.
     std::span<const MeshView> meshes() const { return meshes_; }
@@ -161,6 +166,12 @@ public:
     std::span<const WideTree> wide_trees() const { return wide_trees_; }
 
 private:
+    friend Scene open_scene(const std::filesystem::path& path, const OpenSceneOptions& options);
+    /// From a file, which the owner keeps open.
+    Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
+          std::vector<WideTree> trees, BuildReport report, std::shared_ptr<const void> owner,
+          bool trust);
+
     /// What ask(surface, tree) says of an instance, which is a MeshView or a PlacedMesh; of no tree
     /// where it is brute force.
     template <class Ask>
@@ -179,6 +190,7 @@ private:
     Box3f bounds_in_world(std::uint32_t instance) const;
     void build_top();
 
+    std::shared_ptr<const void> owner_;  ///< of the meshes' arrays, where they are the scene's own
     std::vector<SceneMesh> given_;
     std::vector<std::vector<Vec3d>> widened_;  ///< vertices that were given in float, one a mesh
     std::vector<MeshView> meshes_;
