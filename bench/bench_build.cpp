@@ -2,7 +2,9 @@
 // How long trees take to build and how much memory they hold, and how fast rays go through them.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "build_tables.h"
 #include "cli/stopwatch.h"

@@ -2,7 +2,9 @@
 // How the time of builds and of rays grows with the number of triangles.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 

@@ -2,7 +2,9 @@
 // How many rays a second: Boxwood and the peers that are at hand, on the same rays in one process.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "meshes.h"
 #include "options.h"

@@ -2,7 +2,7 @@
 // What bench_growth measures, and what it makes of that.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
 
@@ -39,6 +40,8 @@ SceneOptions Accelerator::scene_options() const {
     }
     return {.build = BuildOptions{value_of(build_methods(), name), value_of(merge_costs(), cost)}};
 }
+
+void refuse_name(const std::string& name) { throw CLI::ValidationError(name); }
 
 void add_cost(CLI::App& command, std::string& cost) {
     command.add_option("--cost", cost, "what agglomerative minimises when it merges two nodes")

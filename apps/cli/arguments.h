@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 #include "boxwood/core/named.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/scene/scene.h"
+#include "cli/command_line.h"
 
 namespace boxwood::cli {
 
@@ -39,13 +39,16 @@ std::vector<std::string> names(std::span<const Named<Value>> choices) {
     return result;
 }
 
+/// Throws CLI::ValidationError.
+[[noreturn]] void refuse_name(const std::string& name);
+
 /// The value of a name that a CLI::IsMember check let through.
 template <class Value>
 Value value_of(std::span<const Named<Value>> choices, const std::string& name) {
     for (const auto& choice : choices) {
         if (choice.name == name) return choice.value;
     }
-    throw CLI::ValidationError(name);
+    refuse_name(name);
 }
 
 /// A mesh file, or a generated shape as SHAPE:COUNT, such as gyroid:100k.

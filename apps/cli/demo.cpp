@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/world/demo.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "boxwood/core/parallel.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
 #include "boxwood/world/world.h"
 #include "cli/arguments.h"
+#include "cli/command_line.h"
 
 namespace boxwood::cli {
 

@@ -14,6 +14,7 @@
 #include "boxwood/query/wide_tree.h"
 #include "boxwood/tree/statistics.h"
 #include "boxwood/tree/validate.h"
+#include "cases.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
@@ -141,13 +142,14 @@ TEST(BlockSah, boxes_that_are_nan_keep_every_primitive) {
 
 /// Many pieces and tasks, hidden boxes in some pieces only.
 TEST(BlockSah, large_inputs_give_the_same_valid_tree_for_any_number_of_threads) {
-    const std::vector<Box3f> usual = triangle_boxes(generate_soup(200'000));
+    constexpr std::size_t kBoxes = kIsSanitized ? 60'000 : 200'000;
+    const std::vector<Box3f> usual = triangle_boxes(generate_soup(kBoxes));
     std::vector<Box3f> with_hidden = usual;
-    for (std::size_t i = 20'000; i < 150'000; i += 1 + i % 7) with_hidden[i] = {};
-    std::vector<Box3f> equal(300'000, usual[0]);
+    for (std::size_t i = kBoxes / 10; i < kBoxes / 4 * 3; i += 1 + i % 7) with_hidden[i] = {};
+    std::vector<Box3f> equal(kBoxes / 2 * 3, usual[0]);
     std::vector<Box3f> spanned = usual;
     spanned[0] = {Vec3f::Constant(-1e30f), Vec3f::Constant(1e30f)};
-    for (const auto& boxes : {usual, with_hidden, equal, spanned, std::vector<Box3f>(100'000)}) {
+    for (const auto& boxes : {usual, with_hidden, equal, spanned, std::vector<Box3f>(kBoxes / 2)}) {
         expect_good_tree(boxes);
         std::vector<Tree> trees;
         for (const std::size_t threads : {1, 2, 5}) {

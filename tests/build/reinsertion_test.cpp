@@ -12,6 +12,7 @@
 #include "boxwood/mesh/generate.h"
 #include "boxwood/tree/statistics.h"
 #include "boxwood/tree/validate.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -42,6 +43,7 @@ TEST(Reinsertion, pairs_what_is_near) {
 }
 
 TEST(Reinsertion, any_tree_stays_valid_and_gets_no_dearer) {
+    constexpr int kRounds = kIsSanitized ? 2 : 10;
     for (const MeshFamily& family : mesh_families()) {
         const TriangleMesh mesh = family.make();
         const std::vector<Box3f> boxes = triangle_boxes(mesh);
@@ -50,7 +52,7 @@ TEST(Reinsertion, any_tree_stays_valid_and_gets_no_dearer) {
             Tree tree = build_tree(mesh, options);
             const TreeStatistics before = statistics(tree);
             const std::vector<std::uint32_t> order = tree.order;
-            optimize_by_reinsertion(tree, {.rounds = 10, .largest_part = 1, .least_gain = 0});
+            optimize_by_reinsertion(tree, {.rounds = kRounds, .largest_part = 1, .least_gain = 0});
             ASSERT_EQ(find_fault(tree, boxes, options.method), std::nullopt);
             const TreeStatistics after = statistics(tree);
             EXPECT_LE(after.sah_cost, before.sah_cost * (1 + 1e-6));

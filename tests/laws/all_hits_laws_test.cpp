@@ -8,6 +8,7 @@
 #include "boxwood/query/all_hits.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/crossing_oracle.h"
 #include "laws/hits.h"
@@ -36,7 +37,7 @@ class AllHitsLaws : public testing::TestWithParam<MeshFamily> {};
 TEST_P(AllHitsLaws, hits_equal_the_oracle_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(300); ++seed) {
         const Ray ray = ray_of(mesh, seed);
         const std::vector<Hit> expected = crossings_by_oracle(mesh, ray);
         ASSERT_TRUE(are_identical(all_hits_brute_force(mesh, ray), expected)) << "seed " << seed;
@@ -54,7 +55,7 @@ TEST_P(AllHitsLaws, hits_equal_the_oracle_to_the_last_bit) {
 TEST_P(AllHitsLaws, first_k_hits_are_the_first_of_all) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(150); ++seed) {
         const Ray ray = ray_of(mesh, seed);
         const std::vector<Hit> all = all_hits_brute_force(mesh, ray);
         for (const std::size_t k :
@@ -75,7 +76,7 @@ TEST_P(AllHitsLaws, first_k_hits_are_the_first_of_all) {
 TEST_P(AllHitsLaws, what_is_crossed_is_hit) {
     const TriangleMesh mesh = GetParam().make();
     const WideTree tree(mesh, build_tree(mesh));
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(300); ++seed) {
         const Ray ray = ray_of(mesh, seed);
         const std::vector<Hit> all = all_hits(mesh, tree, ray);
         if (all.empty()) continue;
@@ -89,7 +90,7 @@ TEST_P(AllHitsLaws, batches_equal_single_rays_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const WideTree tree(mesh, build_tree(mesh));
     std::vector<Ray> rays;
-    for (std::uint64_t seed = 0; seed < 600; ++seed) rays.push_back(ray_of(mesh, seed));
+    for (std::uint64_t seed = 0; seed < cases(600); ++seed) rays.push_back(ray_of(mesh, seed));
     const HitLists lists = all_hits(mesh, tree, rays);
     std::vector<std::size_t> counts(rays.size());
     count_hits(mesh, tree, rays, counts);

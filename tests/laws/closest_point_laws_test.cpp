@@ -10,6 +10,7 @@
 
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/closest_point.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -36,7 +37,7 @@ bool have_same_bits(const ClosestPoint& a, const ClosestPoint& b) {
     return same;
 }
 
-constexpr std::uint64_t kPoints = 500;
+constexpr std::uint64_t kPoints = cases(500);
 
 /// Most queries have none; some an exact one, some one that is a bit too small.
 double random_radius(MeshView mesh, const Vec3d& point, std::uint64_t seed) {

@@ -5,6 +5,7 @@
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/render/render.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -62,7 +63,11 @@ ColorImage picture(const World& world, const Surfaces& surfaces, IntegratorKind 
                    std::size_t threads) {
     const ThreadLimit limit(threads);
     return render(world, surfaces,
-                  {.width = 50, .height = 38, .integrator = integrator, .samples = 3, .seed = 5});
+                  {.width = kIsSanitized ? 26 : 50,
+                   .height = kIsSanitized ? 20 : 38,
+                   .integrator = integrator,
+                   .samples = 3,
+                   .seed = 5});
 }
 
 TEST(ImageLaws, picture_is_the_same_for_every_accelerator_and_any_number_of_threads) {

@@ -12,6 +12,7 @@
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
 #include "boxwood/scene/scene_sign.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -143,11 +144,11 @@ void expect_all_answers(const Scene& scene, const Placed& placed, const Ray& ray
 
 TEST(InstanceLaws, answers_are_those_of_the_moved_mesh_to_the_last_bit) {
     std::size_t hits = 0;
-    for (std::uint64_t seed = 0; seed < 240; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(240); ++seed) {
         const Placed one = some_instances(1, seed);
         const Scene scene(scene_meshes(one.meshes), one.instances, {.keep_trees = true});
         const Scene brute(scene_meshes(one.meshes), one.instances, {.brute_force = true});
-        for (std::uint64_t k = 0; k < 60; ++k) {
+        for (std::uint64_t k = 0; k < cases(60); ++k) {
             const Ray ray = random_ray(one.flat[0], 1000 * seed + k);
             const std::string name = "seed " + std::to_string(seed) + " " + std::to_string(k);
             ASSERT_NO_FATAL_FAILURE(expect_all_answers(scene, one, ray, name));
@@ -155,7 +156,7 @@ TEST(InstanceLaws, answers_are_those_of_the_moved_mesh_to_the_last_bit) {
             hits += scene.any_hit(ray);
         }
     }
-    EXPECT_GT(hits, 2000u);
+    EXPECT_GT(hits, cases(2000u));
 }
 
 TEST(InstanceLaws, many_instances_under_every_accelerator) {
@@ -163,7 +164,7 @@ TEST(InstanceLaws, many_instances_under_every_accelerator) {
         const Placed many = some_instances(24, 1000 + seed);
         for (const NamedAccelerator& accelerator : all_accelerators()) {
             const Scene scene(scene_meshes(many.meshes), many.instances, accelerator.options);
-            for (std::uint64_t k = 0; k < 60; ++k) {
+            for (std::uint64_t k = 0; k < cases(60); ++k) {
                 Random random(1000 * seed + k);
                 const std::size_t target = random.index(many.flat.size());
                 Ray ray = random_ray(many.flat[target], 1000 * seed + k);
@@ -178,7 +179,7 @@ TEST(InstanceLaws, many_instances_under_every_accelerator) {
 /// One vertex of the sphere has the same place in all its triangles, wherever the sphere stands.
 TEST(InstanceLaws, no_ray_escapes_from_a_closed_instance) {
     const TriangleMesh sphere = family("icosphere");
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
         const Instance instance = {.to_world = random_transform(seed)};
         const Scene scene({sphere}, {instance}, {});
         const TriangleMesh flat = placed(sphere, instance.to_world);
@@ -210,7 +211,7 @@ Vec3d random_point(const Placed& placed, Random& random) {
 
 TEST(InstanceLaws, closest_points_are_those_of_the_moved_meshes_to_the_last_bit) {
     std::size_t found_any = 0;
-    for (std::uint64_t seed = 0; seed < 160; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(160); ++seed) {
         const Placed several = some_instances(1 + seed % 5, seed);
         const Scene scene(scene_meshes(several.meshes), several.instances, {});
         const Scene brute(scene_meshes(several.meshes), several.instances, {.brute_force = true});
@@ -218,7 +219,7 @@ TEST(InstanceLaws, closest_points_are_those_of_the_moved_meshes_to_the_last_bit)
         std::vector<Vec3d> points;
         std::vector<ClosestPoint> expected;
         const double radius = random.index(3) == 0 ? random.number() : HUGE_VAL;
-        for (int k = 0; k < 60; ++k) {
+        for (int k = 0; k < cases(60); ++k) {
             points.push_back(random_point(several, random));
             ClosestPoint best;
             for (std::uint32_t i = 0; i < several.flat.size(); ++i) {
@@ -247,7 +248,7 @@ TEST(InstanceLaws, closest_points_are_those_of_the_moved_meshes_to_the_last_bit)
             found_any += one.is_found();
         }
     }
-    EXPECT_GT(found_any, 5000u);
+    EXPECT_GT(found_any, cases(5000u));
 }
 
 /// What of the moved meshes the test says yes to.
@@ -261,7 +262,7 @@ std::vector<TriangleId> all_touching(const Placed& placed, const Test& test) {
 
 TEST(InstanceLaws, overlaps_are_those_of_the_moved_meshes) {
     std::size_t touching = 0;
-    for (std::uint64_t seed = 0; seed < 160; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(160); ++seed) {
         const Placed several = some_instances(1 + seed % 5, seed);
         const Scene scene(scene_meshes(several.meshes), several.instances, {});
         Random random(seed);
@@ -297,7 +298,7 @@ TEST(InstanceLaws, overlaps_are_those_of_the_moved_meshes) {
             ASSERT_EQ(std::vector(sphere.begin(), sphere.end()), scene.sphere_overlap(spheres[k]));
         }
     }
-    EXPECT_GT(touching, 5000u);
+    EXPECT_GT(touching, cases(5000u));
 }
 
 /// Ellipsoids that don't touch, some of them mirrored: who is inside is known.

@@ -10,6 +10,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/overlaps.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/mesh_families.h"
 #include "laws/point_families.h"
@@ -18,7 +19,7 @@
 namespace boxwood {
 namespace {
 
-constexpr std::uint64_t kShapes = 120;
+constexpr std::uint64_t kShapes = cases(120);
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Between two random points of the mesh or around it: many touch something exactly.
@@ -112,7 +113,7 @@ TEST(Overlaps, batches_hold_what_single_queries_find) {
     std::vector<Box3d> boxes;
     std::vector<Sphere3d> spheres;
     std::vector<TriangleCorners> triangles;
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(1000); ++seed) {
         boxes.push_back(random_box(mesh, seed));
         spheres.push_back(random_sphere(mesh, seed));
         triangles.push_back(random_triangle(mesh, seed));

@@ -8,6 +8,7 @@
 #include "boxwood/mesh/inspect.h"
 #include "boxwood/query/all_hits.h"
 #include "boxwood/query/brute_force.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/closed_meshes.h"
 #include "laws/hits.h"
@@ -24,7 +25,7 @@ TEST(Parity, rays_from_outside_a_closed_mesh_cross_it_an_even_number_of_times) {
     for (const ClosedMesh& closed : closed_meshes()) {
         ASSERT_TRUE(inspect(closed.mesh).closed) << closed.name;
         const WideTree tree(closed.mesh, build_tree(closed.mesh));
-        const std::vector<Ray> rays = rays_from_outside(closed.mesh, 20'000, kSeed);
+        const std::vector<Ray> rays = rays_from_outside(closed.mesh, cases(20'000), kSeed);
         std::vector<std::size_t> counts(rays.size());
         count_hits(closed.mesh, tree, rays, counts);
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -34,7 +35,7 @@ TEST(Parity, rays_from_outside_a_closed_mesh_cross_it_an_even_number_of_times) {
             crossed += counts[i] > 0;
         }
     }
-    EXPECT_GT(crossed, 200'000u);
+    EXPECT_GT(crossed, cases(200'000u));
 }
 
 /// Where a point is, the sum of solid angles knows.
@@ -45,7 +46,7 @@ TEST(Parity, rays_from_anywhere_tell_inside_from_outside) {
         const WideTree tree(mesh, build_tree(mesh));
         const Box3d box = bounds(mesh);
         Random random(kSeed);
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < cases(200); ++i) {
             const std::size_t face = random.index(mesh.faces.size());
             const Vec3d middle =
                 (mesh.corner(face, 0) + mesh.corner(face, 1) + mesh.corner(face, 2)) / 3;
@@ -66,8 +67,8 @@ TEST(Parity, rays_from_anywhere_tell_inside_from_outside) {
             }
         }
     }
-    EXPECT_GT(inside, 1000u);
-    EXPECT_GT(outside, 500u);
+    EXPECT_GT(inside, cases(1000u));
+    EXPECT_GT(outside, cases(500u));
 }
 
 /// All coordinates and directions are exact here: the rays do pass through vertices, along edges

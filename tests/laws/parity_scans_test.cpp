@@ -10,6 +10,7 @@
 #include "boxwood/mesh/weld.h"
 #include "boxwood/query/all_hits.h"
 #include "boxwood/scene/build_wide_tree.h"
+#include "cases.h"
 #include "laws/hits.h"
 #include "laws/parity_rays.h"
 
@@ -46,7 +47,7 @@ TEST_P(ScanParity, no_ray_from_outside_crosses_an_odd_number_of_times) {
     const WideTree tree = build_wide_tree(mesh, {.preset = BuildPreset::fast});
 
     constexpr std::uint64_t kSeed = 6;
-    const std::vector<Ray> rays = rays_from_outside(mesh, 350'000, kSeed);
+    const std::vector<Ray> rays = rays_from_outside(mesh, cases(350'000), kSeed);
     std::vector<std::size_t> counts(rays.size());
     count_hits(mesh, tree, rays, counts);
     std::size_t odd = 0, crossed = 0;

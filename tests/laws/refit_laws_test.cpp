@@ -16,6 +16,7 @@
 #include "boxwood/query/refit.h"
 #include "boxwood/query/wide_fault.h"
 #include "boxwood/query/wide_hits.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/float_hits.h"
 #include "laws/float_oracle.h"
@@ -83,7 +84,7 @@ TEST_P(RefitLaws, rays_see_the_moved_mesh) {
             refit(tree, moved);
             ASSERT_EQ(find_fault(tree.parts()).value_or("none"), "none") << name << move.name;
         }
-        for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
             const Ray ray = random_ray(moved, seed);
             const auto expected = closest_hit_brute_force(moved, ray);
             const float scale = trees[0].tree.scale();
@@ -106,7 +107,7 @@ TEST_P(RefitLaws, points_and_boxes_see_the_moved_mesh) {
     for (const Move& move : kMoves) {
         const TriangleMesh moved = after(move, mesh);
         for (auto& [name, tree] : trees) refit(tree, moved);
-        for (std::uint64_t seed = 0; seed < 15; ++seed) {
+        for (std::uint64_t seed = 0; seed < cases(15); ++seed) {
             Random random(seed);
             const Vec3d point = random.point(-2, 2);
             const Box3d box = {point, point + random.point(0, 1)};

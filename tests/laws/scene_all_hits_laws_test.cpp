@@ -6,6 +6,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/scene/scene.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/crossing_oracle.h"
 #include "laws/hits.h"
@@ -65,7 +66,7 @@ TEST(SceneAllHits, equal_the_oracle_to_the_last_bit_one_by_one_and_in_batches) {
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, meshes.size()}) {
         const std::vector<TriangleMesh> chosen(meshes.begin(),
                                                meshes.begin() + static_cast<std::ptrdiff_t>(count));
-        const std::vector<Ray> rays = some_rays(meshes, 700);
+        const std::vector<Ray> rays = some_rays(meshes, cases(700));
         std::vector<std::vector<Hit>> expected;
         for (const Ray& ray : rays) expected.push_back(crossings_of_all(chosen, ray));
         for (const NamedAccelerator& accelerator : all_accelerators()) {

@@ -7,6 +7,7 @@
 
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -56,7 +57,7 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
         scenes.emplace_back(views(meshes), accelerator.options);
 
     std::size_t hits = 0;
-    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(3000); ++seed) {
         const std::size_t mesh = Random(seed).index(meshes.size());
         Ray ray = random_ray(meshes[mesh], seed);
         if (ray.skip.triangle != TriangleId::kNone)
@@ -79,14 +80,14 @@ TEST(SceneLaws, queries_equal_brute_force_to_the_last_bit) {
             if (variant == 1) ray.origin = ray.at(expected->t);
         }
     }
-    EXPECT_GT(hits, 2000u);
+    EXPECT_GT(hits, cases(2000u));
 }
 
 TEST(SceneLaws, batches_equal_brute_force_to_the_last_bit) {
     const std::vector<TriangleMesh> meshes = some_meshes();
     std::vector<Ray> rays;
     std::vector<Hit> expected;
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(2000); ++seed) {
         rays.push_back(random_ray(meshes[Random(seed).index(meshes.size())], seed));
         expected.push_back(closest_hit_of_all(meshes, rays.back()).value_or(Hit{}));
     }
@@ -110,7 +111,7 @@ TEST(SceneLaws, every_family_alone_and_twice_equals_brute_force) {
             const std::vector<TriangleMesh> chosen(meshes.begin(), meshes.begin() + count);
             const Scene brute(views(chosen), {.brute_force = true});
             const Scene scene(views(chosen));
-            for (std::uint64_t seed = 0; seed < 300; ++seed) {
+            for (std::uint64_t seed = 0; seed < cases(300); ++seed) {
                 const Ray ray = random_ray(meshes[0], seed);
                 const auto expected = brute.closest_hit(ray);
                 ASSERT_TRUE(are_identical(scene.closest_hit(ray), expected))

@@ -11,6 +11,7 @@
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/signed_distance.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -45,7 +46,7 @@ TEST_P(SignLaws, every_method_agrees_with_the_exact_winding_number) {
     const double size = bounds(mesh).extent().norm();
     std::vector<Vec3d> points;
     std::vector<double> expected;
-    for (std::uint64_t seed = 0; points.size() < 400; ++seed) {
+    for (std::uint64_t seed = 0; points.size() < cases(std::size_t{400}); ++seed) {
         const Vec3d point = random_point(mesh, seed);
         const double distance = closest_point_brute_force(mesh, point)->distance;
         // Nearer to the surface rounding decides.
@@ -101,7 +102,7 @@ TEST(SignsOfACube, around_the_corners_and_edges_of_a_cube_all_is_outside) {
 TEST_P(SignLaws, hierarchical_winding_numbers_are_within_a_hundredth) {
     const TriangleMesh mesh = GetParam().make();
     const WindingTree tree(mesh);
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(400); ++seed) {
         const Vec3d point = random_point(mesh, seed);
         ASSERT_NEAR(winding_number(tree, point), winding_number_brute_force(mesh, point), 0.01)
             << seed;

@@ -10,6 +10,7 @@
 #include "boxwood/query/closest_hit.h"
 #include "boxwood/tree/statistics.h"
 #include "boxwood/tree/validate.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
@@ -18,7 +19,7 @@
 namespace boxwood {
 namespace {
 
-constexpr std::uint64_t kRays = 4000;
+constexpr std::uint64_t kRays = cases(4000);
 
 class TreeLaws : public testing::TestWithParam<MeshFamily> {
 protected:
@@ -115,13 +116,13 @@ TEST_P(TreeLaws, tree_is_the_same_for_any_number_of_threads) {
 INSTANTIATE_TEST_SUITE_P(Families, TreeLaws, testing::ValuesIn(mesh_families()),
                          [](const auto& instance) { return instance.param.name; });
 
-/// Large enough for many tasks.
+/// Large enough for many tasks, and for some under a sanitizer.
 TEST(TreeLawsOfLargeMeshes, tree_is_valid_and_the_same_for_any_number_of_threads) {
     const std::vector<std::pair<std::string, TriangleMesh>> meshes = {
-        {"soup", generate_soup(40'000)},
-        {"grid", flat_grid(150)},
-        {"terrain", generate_terrain(30'000)},
-        {"one_point", moved(generate_soup(20'000), 0, Vec3d::Ones())},
+        {"soup", generate_soup(kIsSanitized ? 20'000 : 40'000)},
+        {"grid", flat_grid(kIsSanitized ? 100 : 150)},
+        {"terrain", generate_terrain(kIsSanitized ? 15'000 : 30'000)},
+        {"one_point", moved(generate_soup(kIsSanitized ? 10'000 : 20'000), 0, Vec3d::Ones())},
     };
     for (const auto& [mesh_name, mesh] : meshes) {
         for (const auto& [method_name, method] : build_methods()) {

@@ -5,6 +5,7 @@
 #include "boxwood/mesh/inspect.h"
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/closest_hit.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 #include "laws/closed_meshes.h"
 #include "laws/mesh_families.h"
@@ -45,7 +46,8 @@ TEST(Watertight, no_ray_escapes_from_a_closed_mesh) {
                     targets.emplace_back((1 - s) * a + s * b);
                 }
             }
-            for (const Vec3d& target : targets) {
+            for (std::size_t i = 0; i < targets.size(); i += kThinning) {
+                const Vec3d& target = targets[i];
                 const Ray ray = {.origin = origin, .direction = target - origin};
                 ASSERT_TRUE(closest_hit(mesh, tree, ray) && any_hit(mesh, tree, ray))
                     << closed.name << ", seed " << kSeed << ", from " << origin.transpose()

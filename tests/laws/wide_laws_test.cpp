@@ -11,6 +11,7 @@
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/wide_hits.h"
+#include "cases.h"
 #include "laws/all_trees.h"
 #include "laws/float_hits.h"
 #include "laws/float_oracle.h"
@@ -36,7 +37,7 @@ TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
     const float scale = trees[0].tree.scale();
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(400); ++seed) {
         const Rayf ray = in_float(random_ray(mesh, seed));
         const auto expected = FloatOracle(mesh, ray, scale).closest_hit();
         for (const auto& [name, tree] : trees) {
@@ -60,7 +61,7 @@ TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
 TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(400); ++seed) {
         Ray ray = random_ray(mesh, seed);
         // Some from so far away that float can't tell the scene from a point.
         if (seed % 4 == 0)
@@ -79,10 +80,11 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
 
 /// Rays of all sorts, with tiles of a camera among them, so that every kernel has its share.
 std::vector<Rayf> many_rays(const TriangleMesh& mesh) {
+    constexpr std::uint64_t kTiles = kIsSanitized ? 3 : 12;
     std::vector<Rayf> rays;
-    for (std::uint64_t seed = 0; seed < 300; ++seed)
+    for (std::uint64_t seed = 0; seed < cases(300); ++seed)
         rays.push_back(in_float(random_ray(mesh, seed)));
-    for (std::uint64_t seed = 1000; seed < 1012; ++seed) {
+    for (std::uint64_t seed = 1000; seed < 1000 + kTiles; ++seed) {
         // A tile of 16 x 16 rays about a ray, in packets of 4 x 4.
         const Rayf center = in_float(random_ray(mesh, seed));
         const float step = 0.002f * static_cast<float>(1 + seed % 4);
@@ -97,7 +99,7 @@ std::vector<Rayf> many_rays(const TriangleMesh& mesh) {
             rays.push_back(ray);
         }
     }
-    for (std::uint64_t seed = 300; seed < 500; ++seed)
+    for (std::uint64_t seed = 300; seed < 300 + cases(200); ++seed)
         rays.push_back(in_float(random_ray(mesh, seed)));
     return rays;
 }

@@ -9,6 +9,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
+#include "cases.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
 #include "laws/ray_families.h"
@@ -132,7 +133,7 @@ TEST(AllHits, batches_can_be_watched_and_cancelled) {
     const TriangleMesh mesh = generate_icosphere(100);
     const WideTree tree = tree_over(mesh);
     std::vector<Ray> rays;
-    for (std::uint64_t seed = 0; seed < 5000; ++seed) rays.push_back(random_ray(mesh, seed));
+    for (std::uint64_t seed = 0; seed < cases(5000); ++seed) rays.push_back(random_ray(mesh, seed));
     std::vector<std::size_t> counts(rays.size());
     std::vector<Hit> rows(rays.size());
     std::vector<double> parts;

@@ -17,6 +17,7 @@
 #include "boxwood/query/refit.h"
 #include "boxwood/query/wide_fault.h"
 #include "boxwood/query/wide_hits.h"
+#include "cases.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
@@ -170,7 +171,7 @@ TEST_F(WideTreeFile, every_changed_byte_in_front_is_refused) {
 
 TEST_F(WideTreeFile, changed_trees_are_refused) {
     const std::size_t tree = field<std::uint64_t>(72);
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(1000); ++seed) {
         Random random(seed);
         std::string changed = content_;
         const std::size_t place = tree + random.index(content_.size() - tree);
@@ -295,7 +296,7 @@ TEST(WideFault, what_it_lets_pass_can_be_walked) {
     int sound = 0;
     for (const auto& [name, set] : instruction_sets()) {
         if (!is_supported(set)) continue;
-        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        for (std::uint64_t seed = 0; seed < cases(1000); ++seed) {
             SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
             Random random(seed);
             WideTreeParts parts =
@@ -313,14 +314,14 @@ TEST(WideFault, what_it_lets_pass_can_be_walked) {
             }
         }
     }
-    EXPECT_GT(sound, 100);
+    EXPECT_GT(sound, cases(100));
 }
 
 TEST(WideFault, cut_trees_are_found) {
     const TriangleMesh mesh = generate_icosphere(600);
     for (const bool compact : {false, true}) {
         const WideTree tree = tree_over(mesh, {.compact = compact});
-        for (std::size_t bytes = 0; bytes < tree.bytes(); bytes += kReferenceUnit) {
+        for (std::size_t bytes = 0; bytes < tree.bytes(); bytes += kThinning * kReferenceUnit) {
             WideTreeParts parts = tree_over(mesh, {.compact = compact}).release();
             const std::byte* memory = parts.memory.data();
             const auto whole = std::make_shared<WideMemory>(std::move(parts.memory));

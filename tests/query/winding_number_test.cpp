@@ -10,6 +10,7 @@
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/solid_angle.h"
+#include "cases.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
 
@@ -57,7 +58,7 @@ TEST(WindingNumber, errors_fall_with_the_accuracy_that_is_asked_for) {
     Random random(2);
     double worst[3] = {};
     constexpr double kAccuracies[3] = {1.5, 2, 6};
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < cases(300); ++i) {
         const Vec3d point = random.point(-1.2, 1.2);
         const double exact = winding_number_brute_force(mesh, point);
         for (int k = 0; k < 3; ++k) {

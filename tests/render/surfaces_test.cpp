@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "boxwood/mesh/generate.h"
+#include "cases.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
 
@@ -66,7 +67,7 @@ TEST(Surfaces, ray_that_goes_on_from_a_sphere_sees_its_far_side) {
 /// Where points are rounded to the wrong side of their plane, neighbours in it must not catch rays.
 TEST(Surfaces, rays_that_go_on_from_a_tilted_plane_do_not_hit_it_again) {
     Random random(4);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < cases(200); ++i) {
         World world;
         world.materials.resize(1);
         const Vec3d n = random.direction(), u = n.cross(random.direction()).normalized();
@@ -104,7 +105,7 @@ TEST(Surfaces, many_spheres_are_found_as_if_each_were_tried) {
         world.spheres.push_back({random.point(-5, 5), random.number(0.1, 1), 0});
     world.spheres.push_back(world.spheres[7]);  // a tie
     const Surfaces surfaces(world);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < cases(3000); ++i) {
         const Ray ray = {.origin = random.point(-8, 8), .direction = random.direction()};
         std::optional<std::uint32_t> expected;
         double least = ray.t_max;
