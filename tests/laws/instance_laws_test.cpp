@@ -148,7 +148,7 @@ TEST(InstanceLaws, answers_are_those_of_the_moved_mesh_to_the_last_bit) {
         const Placed one = some_instances(1, seed);
         const Scene scene(scene_meshes(one.meshes), one.instances, {.keep_trees = true});
         const Scene brute(scene_meshes(one.meshes), one.instances, {.brute_force = true});
-        for (std::uint64_t k = 0; k < cases(60); ++k) {
+        for (std::uint64_t k = 0; k < 60; ++k) {
             const Ray ray = random_ray(one.flat[0], 1000 * seed + k);
             const std::string name = "seed " + std::to_string(seed) + " " + std::to_string(k);
             ASSERT_NO_FATAL_FAILURE(expect_all_answers(scene, one, ray, name));
@@ -219,7 +219,7 @@ TEST(InstanceLaws, closest_points_are_those_of_the_moved_meshes_to_the_last_bit)
         std::vector<Vec3d> points;
         std::vector<ClosestPoint> expected;
         const double radius = random.index(3) == 0 ? random.number() : HUGE_VAL;
-        for (int k = 0; k < cases(60); ++k) {
+        for (int k = 0; k < 60; ++k) {
             points.push_back(random_point(several, random));
             ClosestPoint best;
             for (std::uint32_t i = 0; i < several.flat.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/random.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
@@ -88,6 +89,52 @@ TEST(SceneBatch, can_be_watched_and_cancelled) {
                                   .cancellation = &cancellation};
     EXPECT_THROW(scene.closest_hits(rays, hits, options), Cancelled);
     EXPECT_THROW(any_hits(scene, rays, options), Cancelled);
+}
+
+/// By kernels for float where there is one mesh, by way of double where there are two.
+TEST(SceneBatch, rays_in_float_find_what_those_in_double_find) {
+    const TriangleMesh mesh = generate_icosphere(2000);
+    Instance beside;
+    beside.to_world.translate(Vec3d(1.5, 0, 0)).scale(Vec3d(-1, 1, 1));
+    std::vector<Rayf> rays;
+    for (std::uint64_t i = 0; i < 3000; ++i) {
+        const auto number = [&](std::uint32_t k) {
+            return static_cast<float>(uniform(1, i, k)) - 0.5f;
+        };
+        rays.push_back(
+            {.origin = {3 * number(0), 3 * number(1), 4}, .direction = {number(2), number(3), -2}});
+    }
+    for (const std::vector<Instance>& instances : {std::vector<Instance>(1), {beside, {}}}) {
+        for (const bool brute_force : {false, true}) {
+            const Scene scene({mesh}, instances, {.brute_force = brute_force});
+            std::vector<Hitf> hits(rays.size(), Hitf{.t = -1, .triangle = 3, .instance = 9});
+            const auto any = std::make_unique<bool[]>(rays.size());
+            scene.closest_hits(rays, hits);
+            scene.any_hits(rays, {any.get(), rays.size()});
+            std::size_t found = 0, same = 0;
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                Ray ray;
+                for (int k = 0; k < 3; ++k) {
+                    ray.origin[k] = rays[i].origin[k];
+                    ray.direction[k] = rays[i].direction[k];
+                }
+                const auto expected = scene.closest_hit(ray);
+                ASSERT_EQ(hits[i].is_hit(), any[i]) << i;
+                if (!expected || !hits[i].is_hit()) continue;
+                ++found;
+                // Next to an edge the neighbour may be hit, and nearly edge-on t is less certain.
+                same += hits[i].triangle == expected->triangle;
+                ASSERT_EQ(hits[i].instance, expected->instance) << i;
+                ASSERT_NEAR(hits[i].t, expected->t, 1e-3) << i;
+                const Vec3d normal = scene.geometric_normal(*expected);
+                const Vec3f in_float = Eigen::Map<const Vec3f>(hits[i].normal).normalized();
+                if (hits[i].triangle == expected->triangle)
+                    ASSERT_LE((in_float.cast<double>() - normal).norm(), 1e-3) << i;
+            }
+            EXPECT_GT(found, 700u);
+            EXPECT_GE(same + 5, found);
+        }
+    }
 }
 
 TEST(SceneBatch, distances_can_be_watched_and_cancelled) {

@@ -26,7 +26,7 @@ struct Hitf {
     float u = 0, v = 0;
     std::uint32_t triangle = kNone;
     float normal[3] = {0, 0, 0};  ///< (b - a) x (c - a), not of unit length
-    float padding = 0;
+    std::uint32_t instance = 0;   ///< of a scene
 
     bool is_hit() const { return triangle != kNone; }
 };

@@ -169,16 +169,16 @@ void Scene::build_top() {
     top_ = build_tree(boxes);
 }
 
-Vec3d Scene::geometric_normal(TriangleId id) const {
-    const MeshView& mesh = meshes_[instances_[id.instance].mesh];
+Vec3d Scene::area_normal(TriangleId id) const {
     const Placement& placement = placements_[id.instance];
-    if (placement.is_identity()) return boxwood::geometric_normal(mesh, id.triangle);
-    const PlacedMesh placed = {mesh, &placement};
+    const PlacedMesh placed = {meshes_[instances_[id.instance].mesh], &placement};
     const Vec3d a = placed.corner(id.triangle, 0);
     const Vec3d normal =
-        (placed.corner(id.triangle, 1) - a).cross(placed.corner(id.triangle, 2) - a).normalized();
+        (placed.corner(id.triangle, 1) - a).cross(placed.corner(id.triangle, 2) - a);
     return placement.is_mirrored() ? Vec3d(-normal) : normal;
 }
+
+Vec3d Scene::geometric_normal(TriangleId id) const { return area_normal(id).normalized(); }
 
 std::vector<RefitQuality> Scene::refit() {
     widen_vertices();

@@ -16,6 +16,7 @@
 #include "boxwood/query/closest_point.h"
 #include "boxwood/query/hit_lists.h"
 #include "boxwood/query/overlaps.h"
+#include "boxwood/query/rayf.h"
 #include "boxwood/query/refit.h"
 #include "boxwood/query/traverse.h"
 #include "boxwood/query/wide_tree.h"
@@ -86,6 +87,15 @@ public:
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
+    /// Hits in float for rays in float. Where the scene is one mesh where it is, without culling,
+    /// the answers are those of query/wide_hits.h: the mesh's vertices are rounded to float and all
+    /// arithmetic is in float. Else, and by brute force, they are those in double, rounded. Either
+    /// way they are watertight and the same bits everywhere.
+    void closest_hits(std::span<const Rayf> rays, std::span<Hitf> hits,
+                      const BatchOptions& options = {}) const;
+    void any_hits(std::span<const Rayf> rays, std::span<bool> hits,
+                  const BatchOptions& options = {}) const;
+
     /// The places where the ray goes through the instances, with t in [ray.t_min, ray.t_max], in
     /// the order of t; equal t in that of (instance, triangle). Edges and vertices count once for
     /// each crossing of each instance, by the rule of query/all_hits.h.
@@ -138,6 +148,8 @@ public:
     /// Of a triangle as it stands in the world, of unit length, from its front; zero for one of
     /// zero area. Precondition: the scene has it.
     Vec3d geometric_normal(TriangleId id) const;
+    /// The same with twice the triangle's area as its length.
+    Vec3d area_normal(TriangleId id) const;
     Vec3d geometric_normal(const Hit& hit) const {
         return geometric_normal(TriangleId{hit.instance, hit.triangle});
     }
@@ -185,6 +197,8 @@ private:
     template <class Touching>
     std::vector<TriangleId> touching(const Box3d& box, const Touching& touching) const;
 
+    /// The tree that rays in float may walk by themselves, if there is one.
+    const WideTree* only_tree() const;
     void widen_vertices();
     void find_faults();
     Box3f bounds_in_world(std::uint32_t instance) const;

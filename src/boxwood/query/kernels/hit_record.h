@@ -52,6 +52,7 @@ struct ClosestHit {
         result.u = v[lane] / determinant[lane] + 0;
         result.v = w[lane] / determinant[lane] + 0;
         result.triangle = triangle;
+        result.instance = 0;
         for (int k = 0; k < 3; ++k) {
             const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
             result.normal[k] = ab[i] * ac[j] - ab[j] * ac[i];
