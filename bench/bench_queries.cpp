@@ -11,9 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "boxwood/core/random.h"
+#include "contest.h"
 #include "meshes.h"
 #include "options.h"
 #include "peers/load_peers.h"
@@ -44,11 +46,13 @@ struct Contender {
     std::string library, name;
     Accelerator* tree;
     Mode mode;
+    int threads;
     std::vector<double> seconds = {};
 };
 
 struct QueryScore {
     std::string mesh, question, library, name;
+    int threads;
     double mpoints;  ///< million points a second: the median of the passes
     std::size_t wrong;
 };
@@ -74,15 +78,22 @@ std::vector<PlainPoint> make_points(const BenchMesh& mesh, std::size_t count, bo
     return points;
 }
 
+/// One, and all that there are.
+std::vector<int> thread_counts() {
+    const int all = static_cast<int>(std::thread::hardware_concurrency());
+    return all > 1 ? std::vector<int>{1, all} : std::vector<int>{1};
+}
+
 std::vector<Contender> contenders_for(const Peers& peers,
                                       const std::vector<std::unique_ptr<Accelerator>>& trees) {
     std::vector<Contender> result;
     for (std::size_t i = 0; i < peers.size(); ++i) {
         if (!trees[i]->tells_distances()) continue;
-        for (const Mode mode : peers[i]->modes())
-            result.push_back({peers[i]->library(),
-                              fmt::format("{} {}", peers[i]->name(), name_of(mode)), trees[i].get(),
-                              mode});
+        for (const Mode mode : peers[i]->modes()) {
+            const std::string name = fmt::format("{} {}", peers[i]->name(), name_of(mode));
+            for (const int threads : thread_counts())
+                result.push_back({peers[i]->library(), name, trees[i].get(), mode, threads});
+        }
     }
     return result;
 }
@@ -120,14 +131,18 @@ std::vector<QueryScore> measure(const BenchMesh& mesh, const Peers& peers,
         }
         for (int pass = 0; pass < options.passes; ++pass) {
             for (Contender& who : contenders) {
-                const double start = processor_seconds();
-                who.tree->nearest(who.mode, question.signs, points, answers.data());
-                who.seconds.push_back(processor_seconds() - start);
+                const auto ask = [&](std::size_t begin, std::size_t end) {
+                    who.tree->nearest(who.mode, question.signs,
+                                      std::span(points).subspan(begin, end - begin),
+                                      answers.data() + begin);
+                };
+                who.seconds.push_back(seconds_of(who.threads, points.size(), ask));
             }
         }
         for (std::size_t i = 0; i < contenders.size(); ++i)
             scores.push_back(
                 {mesh.name, question.name, contenders[i].library, contenders[i].name,
+                 contenders[i].threads,
                  1e-6 * static_cast<double>(points.size()) / median(contenders[i].seconds),
                  wrong[i]});
     }
@@ -135,10 +150,10 @@ std::vector<QueryScore> measure(const BenchMesh& mesh, const Peers& peers,
 }
 
 double best(const std::vector<QueryScore>& scores, const std::string& mesh,
-            const std::string& question, bool ours) {
+            const std::string& question, int threads, bool ours) {
     double result = 0;
     for (const QueryScore& score : scores)
-        if (score.mesh == mesh && score.question == question &&
+        if (score.mesh == mesh && score.question == question && score.threads == threads &&
             (score.library == "boxwood") == ours)
             result = std::max(result, score.mpoints);
     return result;
@@ -147,17 +162,18 @@ double best(const std::vector<QueryScore>& scores, const std::string& mesh,
 std::vector<Target> targets_of(const std::vector<QueryScore>& scores) {
     std::vector<Target> targets;
     for (const Question& question : kQuestions) {
-        std::vector<std::pair<std::string, double>> ratios;
-        for (const QueryScore& score : scores) {
-            const bool is_new = ratios.empty() || ratios.back().first != score.mesh;
-            const double theirs = best(scores, score.mesh, question.name, false);
-            if (is_new && theirs > 0)
-                ratios.emplace_back(score.mesh,
-                                    best(scores, score.mesh, question.name, true) / theirs);
+        for (const int threads : thread_counts()) {
+            std::vector<std::pair<std::string, double>> ratios;
+            for (const QueryScore& score : scores) {
+                const bool is_new = ratios.empty() || ratios.back().first != score.mesh;
+                const double theirs = best(scores, score.mesh, question.name, threads, false);
+                const double ours = best(scores, score.mesh, question.name, threads, true);
+                if (is_new && theirs > 0) ratios.emplace_back(score.mesh, ours / theirs);
+            }
+            const auto name =
+                fmt::format("{}, {}", question.name, threads == 1 ? "one thread" : "all threads");
+            if (!ratios.empty()) targets.push_back(over_meshes(name, kTarget, kTarget, ratios));
         }
-        if (!ratios.empty())
-            targets.push_back(over_meshes(fmt::format("{}, one thread", question.name), kTarget,
-                                          kTarget, ratios));
     }
     return targets;
 }
@@ -181,8 +197,8 @@ int run(const QueryOptions& options) {
         fmt::print("{}: {} triangles, million points a second\n", mesh.name,
                    mesh.exact.faces.size());
         for (const QueryScore& score : measure(mesh, peers, options)) {
-            fmt::print("  {:<32}{:<24}{:8.3f}  wrong: {}\n", score.question, score.name,
-                       score.mpoints, score.wrong);
+            fmt::print("  {:<32}{:<24}{:>2} threads{:8.3f}  wrong: {}\n", score.question,
+                       score.name, score.threads, score.mpoints, score.wrong);
             right = right && (score.wrong == 0 || score.library != "boxwood");
             all.push_back(score);
         }
@@ -196,6 +212,7 @@ int run(const QueryOptions& options) {
                                   {"question", score.question},
                                   {"library", score.library},
                                   {"name", score.name},
+                                  {"threads", score.threads},
                                   {"points", options.points},
                                   {"mpoints_per_second", score.mpoints},
                                   {"wrong", score.wrong}});

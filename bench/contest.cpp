@@ -28,26 +28,10 @@ void trace(const Contestant& who, const RaySet& set, std::size_t begin, std::siz
         who.tree->closest_hits(who.mode, rays, answers.closest.data() + begin);
 }
 
-/// Seconds for all rays. One thread is timed by the processor time of all this process, so that
-/// other programs disturb less; several threads, by the clock, take pieces as they come.
 double time_pass(const Contestant& who, const RaySet& set, Answers& answers) {
-    constexpr std::size_t kPiece = 8192;
-    if (who.threads == 1) {
-        const double start = processor_seconds();
-        trace(who, set, 0, set.rays.size(), answers);
-        return processor_seconds() - start;
-    }
-    cli::Stopwatch stopwatch;
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t begin; (begin = next.fetch_add(kPiece)) < set.rays.size();)
-            trace(who, set, begin, std::min(begin + kPiece, set.rays.size()), answers);
-    };
-    std::vector<std::thread> threads;
-    for (int i = 1; i < who.threads; ++i) threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads) thread.join();
-    return stopwatch.lap();
+    return seconds_of(who.threads, set.rays.size(), [&](std::size_t begin, std::size_t end) {
+        trace(who, set, begin, end, answers);
+    });
 }
 
 void check(const RaySet& set, const Answers& answers, Score& score) {
@@ -68,6 +52,27 @@ double processor_seconds() {
     timespec time = {};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double seconds_of(int threads, std::size_t count,
+                  const std::function<void(std::size_t, std::size_t)>& work) {
+    constexpr std::size_t kPiece = 8192;
+    if (threads == 1) {
+        const double start = processor_seconds();
+        work(0, count);
+        return processor_seconds() - start;
+    }
+    cli::Stopwatch stopwatch;
+    std::atomic<std::size_t> next = 0;
+    const auto take_pieces = [&] {
+        for (std::size_t begin; (begin = next.fetch_add(kPiece)) < count;)
+            work(begin, std::min(begin + kPiece, count));
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(take_pieces);
+    take_pieces();
+    for (std::thread& thread : others) thread.join();
+    return stopwatch.lap();
 }
 
 std::vector<Score> run_contest(const std::string& mesh, const RaySet& set,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,12 @@ std::string_view name_of(Mode mode);
 
 /// Of this process, all threads together.
 double processor_seconds();
+
+/// Seconds for work(begin, end) on all of [0, count). One thread is timed by the processor time of
+/// all this process, so that other programs disturb less; several threads, by the clock, take
+/// pieces as they come.
+double seconds_of(int threads, std::size_t count,
+                  const std::function<void(std::size_t, std::size_t)>& work);
 
 double median(std::vector<double> values);
 

@@ -92,15 +92,15 @@ public:
                     }
                 }
             } else if (signs) {
-                signed_.resize(piece.size());
-                signed_distances(mesh_, tree_, *sign_, piece, signed_);
+                std::vector<SignedDistance> found(piece.size());
+                signed_distances(mesh_, tree_, *sign_, piece, found);
                 for (std::size_t i = 0; i < piece.size(); ++i)
-                    write(i, signed_[i].closest, signed_[i].distance);
+                    write(i, found[i].closest, found[i].distance);
             } else {
-                closest_.resize(piece.size());
-                closest_points(mesh_, tree_, piece, closest_);
+                std::vector<ClosestPoint> found(piece.size());
+                closest_points(mesh_, tree_, piece, found);
                 for (std::size_t i = 0; i < piece.size(); ++i)
-                    write(i, closest_[i], closest_[i].distance);
+                    write(i, found[i], found[i].distance);
             }
         }
     }
@@ -110,8 +110,6 @@ private:
     std::vector<Vec3d> vertices_;
     MeshView mesh_;
     std::optional<MeshSign> sign_;
-    std::vector<ClosestPoint> closest_;
-    std::vector<SignedDistance> signed_;
     WideTree tree_;
 };
 
