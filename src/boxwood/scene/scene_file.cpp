@@ -100,7 +100,8 @@ public:
     explicit Reader(const fs::path& path)
         : name_(path.string()), file_(std::make_shared<MappedFile>(path, FileAccess::random)) {
         bytes_ = std::as_bytes(std::span(file_->text()));
-        std::memcpy(&header_, bytes_.data(), std::min(bytes_.size(), sizeof(Header)));
+        const std::size_t size = std::min(bytes_.size(), sizeof(Header));
+        if (size > 0) std::memcpy(&header_, bytes_.data(), size);
         if (bytes_.size() < sizeof(kMagic) || header_.magic != kMagic)
             fail("byte 0", "found no saved scene, expected one");
         if (bytes_.size() < sizeof(Header))
