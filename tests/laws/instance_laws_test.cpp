@@ -321,7 +321,7 @@ TEST(InstanceLaws, signs_are_right_whatever_the_transform) {
             Random random(3);
             std::vector<Vec3d> points;
             std::vector<bool> inside;
-            while (points.size() < 400) {
+            while (points.size() < cases(400u)) {
                 const std::size_t i = random.index(instances.size());
                 const Vec3d local = random.point(-2, 2);
                 // Between the sphere and what its flat faces leave of it nobody knows.

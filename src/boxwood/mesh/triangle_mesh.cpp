@@ -36,8 +36,13 @@ void check_indices(MeshView mesh) {
 }
 
 bool has_zero_area(MeshView mesh, std::size_t face) {
-    const Vec3d e = scaled(mesh.corner(face, 1) - mesh.corner(face, 0));
-    const Vec3d f = scaled(mesh.corner(face, 2) - mesh.corner(face, 0));
+    const Vec3d ab = mesh.corner(face, 1) - mesh.corner(face, 0);
+    const Vec3d ac = mesh.corner(face, 2) - mesh.corner(face, 0);
+    // Plain arithmetic settles nearly all: far from rounding and from underflow.
+    const double product = ab.x() * ac.y(), other = ab.y() * ac.x();
+    if (std::abs(product - other) > 0x1p-50 * (std::abs(product) + std::abs(other)) + 1e-290)
+        return false;
+    const Vec3d e = scaled(ab), f = scaled(ac);
     return difference_of_products(e.x(), f.y(), e.y(), f.x()) == 0 &&
            difference_of_products(e.y(), f.z(), e.z(), f.y()) == 0 &&
            difference_of_products(e.z(), f.x(), e.x(), f.z()) == 0;
