@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -58,9 +59,12 @@ inline bool is_closer(const Hit& a, const Hit& b) {
 /// Whether a query has to look at all: a ray hits nothing when a coordinate of it isn't finite,
 /// its direction is zero or has its largest coordinate outside [1e-150, 1e150], or t_min > t_max.
 inline bool is_traceable(const Ray& ray) {
-    const double length = ray.direction.lpNorm<Eigen::Infinity>();
-    return ray.origin.allFinite() && ray.direction.allFinite() && length >= 1e-150 &&
-           length <= 1e150 && ray.t_min <= ray.t_max;
+    const Vec3d size = ray.direction.cwiseAbs();
+    const double length = std::max(std::max(size[0], size[1]), size[2]);
+    // Zero, or NaN when one of them isn't finite: one branch for all.
+    const double zero = 0 * ray.origin[0] + 0 * ray.origin[1] + 0 * ray.origin[2] +
+                        0 * ray.direction[0] + 0 * ray.direction[1] + 0 * ray.direction[2];
+    return (zero == 0) & (length >= 1e-150) & (length <= 1e150) & (ray.t_min <= ray.t_max);
 }
 
 }  // namespace boxwood

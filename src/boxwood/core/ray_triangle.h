@@ -26,8 +26,8 @@ struct ShearedRay {
     /// Precondition: is_traceable(ray).
     explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
         ray.direction.cwiseAbs().maxCoeff(&kz);
-        kx = (kz + 1) % 3;
-        ky = (kz + 2) % 3;
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kz == 0 ? 2 : kz - 1;
         if (ray.direction[kz] < 0) std::swap(kx, ky);
         sx = ray.direction[kx] / ray.direction[kz];
         sy = ray.direction[ky] / ray.direction[kz];

@@ -6,7 +6,9 @@
 // docs/algorithms/certified_hits.md.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "boxwood/core/box.h"
@@ -23,28 +25,28 @@ class NearRay {
 public:
     /// The ray may be off by so much.
     explicit NearRay(const WideTree& tree, const Ray& ray, double off = 0) : scale_(tree.scale()) {
-        const int exponent = exponent_of(ray.direction.lpNorm<Eigen::Infinity>());
-        const Vec3d direction = ray.direction * power_of_two(-exponent);
+        const Vec3d size = ray.direction.cwiseAbs();
+        const int exponent = exponent_of(std::max(std::max(size[0], size[1]), size[2]));
         stretch_ = power_of_two(exponent);
-
-        // The scene is less than a diagonal away from the middle of its bounds.
-        const Vec3d lo = tree.bounds().lo.cast<double>(), hi = tree.bounds().hi.cast<double>();
-        const double diagonal = (hi - lo).norm();
-        const double to_middle =
-            (0.5 * lo + 0.5 * hi - ray.origin).dot(direction) / direction.squaredNorm();
-        if (std::abs(to_middle) > 4 * diagonal)
-            shift_ = to_middle - std::copysign(2 * diagonal, to_middle);
-
-        const Vec3d origin = ray.origin + shift_ * direction;
-        const double moved = ray.origin.lpNorm<Eigen::Infinity>() + 2 * std::abs(shift_);
-        const double off_by_shift = shift_ == 0 ? 0 : 0x1p-50 * moved;
-        extra_rounding_ = rounded_up((off_by_shift + off) * scale_);
+        const double shrink = power_of_two(-exponent);
+        double origin[3], direction[3];
+        bool is_near = true;
         for (int k = 0; k < 3; ++k) {
-            ray_.origin[k] = static_cast<float>(scale_ * origin[k]);
-            ray_.direction[k] = static_cast<float>(direction[k]);
+            origin[k] = ray.origin[k];
+            direction[k] = shrink * ray.direction[k];
+            is_near &= std::abs(tree.middle()[k] - origin[k]) <= tree.near_size();
         }
-        ray_.t_min = -farthest(-ray.t_min, -1);
-        ray_.t_max = farthest(ray.t_max);
+        const double off_by_shift = is_near ? 0 : move(tree, ray, direction, origin);
+        extra_rounding_ = rounded_up((off_by_shift + off) * scale_);
+        const float t_min = -farthest(-ray.t_min, -1), t_max = farthest(ray.t_max);
+        // Stored as the vectors that they are read as: else readers wait until memory has them.
+        const Float4 start = {static_cast<float>(scale_ * origin[0]),
+                              static_cast<float>(scale_ * origin[1]),
+                              static_cast<float>(scale_ * origin[2]), t_min};
+        const Float4 way = {static_cast<float>(direction[0]), static_cast<float>(direction[1]),
+                            static_cast<float>(direction[2]), t_max};
+        std::memcpy(ray_.origin, &start, sizeof start);
+        std::memcpy(ray_.direction, &way, sizeof way);
     }
 
     /// From so far away that moving the origin loses all digits, no triangle can be left out.
@@ -58,6 +60,23 @@ public:
     }
 
 private:
+    using Float4 = float __attribute__((vector_size(16)));
+
+    /// Brings the origin near where it is far, and returns what it may be off by then. Not for most
+    /// rays, so out of their way.
+    __attribute__((noinline)) double move(const WideTree& tree, const Ray& ray,
+                                          const double (&direction)[3], double (&origin)[3]) {
+        // The scene is less than a diagonal away from the middle of its bounds.
+        const Vec3d lo = tree.bounds().lo.cast<double>(), hi = tree.bounds().hi.cast<double>();
+        const double diagonal = (hi - lo).norm();
+        const Vec3d way(direction[0], direction[1], direction[2]);
+        const double to_middle = (0.5 * lo + 0.5 * hi - ray.origin).dot(way) / way.squaredNorm();
+        if (!(std::abs(to_middle) > 4 * diagonal)) return 0;
+        shift_ = to_middle - std::copysign(2 * diagonal, to_middle);
+        for (int k = 0; k < 3; ++k) origin[k] += shift_ * direction[k];
+        return 0x1p-50 * (ray.origin.lpNorm<Eigen::Infinity>() + 2 * std::abs(shift_));
+    }
+
     static constexpr float kMostRounding = 0x1p57f;
 
     Rayf ray_;
@@ -80,20 +99,37 @@ inline NearRay near_ray(const PlacedMesh& placed, const WideTree& tree, const Ra
                    placed.placement->rounding(ray.origin, largest_coordinate(tree.bounds())));
 }
 
+/// What a walk calls with a Visit as its context.
+template <class Visit>
+float visit_each(void* context, const std::uint32_t* triangles, unsigned mask) noexcept {
+    Visit& visit = *static_cast<Visit*>(context);
+    float farthest = 0;
+    for (; mask != 0; mask &= mask - 1) farthest = visit(triangles[__builtin_ctz(mask)]);
+    return farthest;
+}
+
+#if defined(__x86_64__)
+/// The same, and all that it calls, for machines whose fused multiply-add is an instruction: else
+/// it is a call to the C library. Both round once, so the answers are the same.
+template <class Visit>
+__attribute__((target("avx2,fma"), flatten)) float visit_each_fused(void* context,
+                                                                    const std::uint32_t* triangles,
+                                                                    unsigned mask) noexcept {
+    return visit_each<Visit>(context, triangles, mask);
+}
+#endif
+
 /// Calls visit(triangle) for each triangle that the ray may hit, some twice where a builder splits
 /// triangles. It returns near.farthest() of what is of interest yet; minus infinity ends the walk.
 template <class Visit>
 void visit_candidates(const WideTree& tree, const NearRay& near, Visit& visit) noexcept {
-    const CandidateVisitor visitor = {
-        .context = &visit,
-        .visit = [](void* context, const std::uint32_t* triangles, unsigned mask) noexcept {
-            Visit& each = *static_cast<Visit*>(context);
-            float farthest = 0;
-            for (; mask != 0; mask &= mask - 1) farthest = each(triangles[__builtin_ctz(mask)]);
-            return farthest;
-        }};
-    ray_kernels(tree.instruction_set())
-        .walk_candidates(tree.view(), near.ray(), near.extra_rounding(), visitor);
+    const InstructionSet set = tree.instruction_set();
+    CandidateVisitor visitor = {.context = &visit, .visit = visit_each<Visit>};
+#if defined(__x86_64__)
+    if (set == InstructionSet::avx2 || set == InstructionSet::avx512)
+        visitor.visit = visit_each_fused<Visit>;
+#endif
+    ray_kernels(set).walk_candidates(tree.view(), near.ray(), near.extra_rounding(), visitor);
 }
 
 }  // namespace boxwood

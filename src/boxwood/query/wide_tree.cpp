@@ -52,6 +52,11 @@ WideTree::WideTree(WideTreeParts parts) : parts_(std::move(parts)) {
     view_.bytes = parts_.bounds.is_empty() ? 0 : parts_.memory.size();
     view_.is_compact = parts_.is_compact;
     view_.stack_size = parts_.stack_size;
+    if (!parts_.bounds.is_empty()) {
+        const Vec3d lo = parts_.bounds.lo.cast<double>(), hi = parts_.bounds.hi.cast<double>();
+        middle_ = 0.5 * lo + 0.5 * hi;
+        near_size_ = 2 * (hi - lo).norm();
+    }
     for (int k = 0; k < 3; ++k) {
         view_.lo[k] = parts_.scale * parts_.bounds.lo[k];
         view_.hi[k] = parts_.scale * parts_.bounds.hi[k];

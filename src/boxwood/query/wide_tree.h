@@ -69,12 +69,19 @@ public:
     /// What a random line through the bounds is expected to cost, in node visits.
     double cost() const { return parts_.cost; }
 
+    /// The middle of the bounds, and how far from it a ray may start in each coordinate to be near:
+    /// less than four diagonals in all.
+    const Vec3d& middle() const { return middle_; }
+    double near_size() const { return near_size_; }
+
     /// What kernels walk: the root is at its start. No bytes where the tree is empty.
     const WideTreeView& view() const { return view_; }
 
 private:
     WideTreeParts parts_;
     WideTreeView view_;
+    Vec3d middle_ = Vec3d::Zero();
+    double near_size_ = 0;
 };
 
 }  // namespace boxwood
