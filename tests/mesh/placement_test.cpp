@@ -66,8 +66,11 @@ TEST(Placement, maps_without_an_inverse_are_refused) {
         EXPECT_THROW(Placement{map}, InvalidInput) << thin;
     }
     Eigen::Affine3d small = Eigen::Affine3d::Identity();
-    small.scale(1e-200);
+    small.scale(1e-80);
     EXPECT_NO_THROW(Placement{small});
+    Eigen::Affine3d smaller = small;
+    smaller.scale(1e-80);
+    EXPECT_THROW(Placement{smaller}, InvalidInput);
     small.scale(0);
     EXPECT_THROW(Placement{small}, InvalidInput);
 }

@@ -12,7 +12,7 @@ struct MeshReport {
     std::size_t vertices = 0;
     std::size_t faces = 0;
     Box3d bounds;
-    std::size_t degenerate_faces = 0;   ///< that no ray hits; see below
+    std::size_t degenerate_faces = 0;   ///< see below
     std::size_t boundary_edges = 0;     ///< edges of one face
     std::size_t nonmanifold_edges = 0;  ///< edges of three faces or more
     std::size_t flipped_edges = 0;      ///< edges that two faces run through in the same direction

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/mesh/placement.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
@@ -15,7 +17,7 @@ constexpr double kWorstCondition = 0x1p40;
 
 }  // namespace
 
-Placement::Placement(const Eigen::Affine3d& to_world)
+Placement::Placement(const AffineMap& to_world)
     : linear_(to_world.linear()), offset_(to_world.translation()) {
     if (!linear_.allFinite() || !offset_.allFinite())
         throw InvalidInput("found a transform with a number that isn't finite, expected none");
@@ -24,6 +26,9 @@ Placement::Placement(const Eigen::Affine3d& to_world)
 
     // Scaled by a power of two, so that determinants neither overflow nor vanish.
     const double largest = linear_.cwiseAbs().maxCoeff();
+    if (largest > 1e90 || (largest > 0 && largest < 1e-90))
+        throw InvalidInput(fmt::format(
+            "found a transform that changes lengths by {:.3g}, expected 1e-90 to 1e90", largest));
     const double scale = largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1;
     const Eigen::Matrix3d scaled = scale * linear_;
     const Eigen::FullPivLU<Eigen::Matrix3d> lu(scaled);
@@ -32,7 +37,7 @@ Placement::Placement(const Eigen::Affine3d& to_world)
     // What the inverse is off by, as it was found: the exact one is (1 + residual)^-1 times it.
     const double residual = (inverse * scaled - Eigen::Matrix3d::Identity()).norm();
     const bool has_inverse = condition < kWorstCondition && residual < 0.01;
-    if (!has_inverse || !std::isfinite(scale))
+    if (!has_inverse)
         throw InvalidInput("found a transform that flattens space, expected one with an inverse");
     inverse_ = scale * inverse;
     norm_ = linear_.norm();

@@ -6,15 +6,20 @@
 
 namespace boxwood {
 
+/// An affine map as it is given: not aligned, so that callers compiled for other machines than the
+/// library agree with it on where its numbers are. Eigen::Affine3d turns into it.
+using AffineMap = Eigen::Transform<double, 3, Eigen::Affine, Eigen::DontAlign>;
+
 /// Where a mesh stands: an affine map from its own, local coordinates to those of the world, with
 /// its inverse and bounds on what rounding does to both.
 class Placement {
 public:
     /// Where it is.
     Placement() = default;
-    /// Throws InvalidInput when a number isn't finite, or when the map flattens space, so that
-    /// rounding leaves nothing of its inverse: its condition number is 2^40 or more.
-    explicit Placement(const Eigen::Affine3d& to_world);
+    /// Throws InvalidInput when a number isn't finite, when the map changes lengths by a factor
+    /// outside [1e-90, 1e90], or when it flattens space, so that rounding leaves nothing of its
+    /// inverse: its condition number is 2^40 or more.
+    explicit Placement(const AffineMap& to_world);
 
     bool is_identity() const { return is_identity_; }
     /// Whether it turns left hands into right ones.

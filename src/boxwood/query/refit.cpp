@@ -119,7 +119,10 @@ private:
     std::byte* memory_;
 };
 
-void check(const WideTreeParts& parts, MeshView mesh) {
+}  // namespace
+
+void check_refit(const WideTree& tree, MeshView mesh) {
+    const WideTreeParts& parts = tree.parts();
     if (mesh.faces.size() != parts.faces)
         throw InvalidInput(fmt::format("refit: the mesh has {} faces, expected {} as in the tree",
                                        mesh.faces.size(), parts.faces));
@@ -131,6 +134,8 @@ void check(const WideTreeParts& parts, MeshView mesh) {
                 face));
     }
 }
+
+namespace {
 
 Part refit_all(WideTreeParts& parts, MeshView mesh) {
     if (parts.memory.size() == 0) return {};
@@ -149,7 +154,7 @@ Part refit_all(WideTreeParts& parts, MeshView mesh) {
 }  // namespace
 
 RefitQuality refit(WideTree& tree, MeshView moved) {
-    check(tree.parts(), moved);
+    check_refit(tree, moved);
     WideTreeParts parts = tree.release();
     Part root = refit_all(parts, moved);
     const float scale = scale_for(root.box);

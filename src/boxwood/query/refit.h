@@ -29,4 +29,7 @@ struct RefitQuality {
 /// Deformable Models using AABB Trees", Journal of Graphics Tools 2(4), 1997.
 RefitQuality refit(WideTree& tree, MeshView moved);
 
+/// Throws the InvalidInput that refit() does before it changes anything.
+void check_refit(const WideTree& tree, MeshView moved);
+
 }  // namespace boxwood

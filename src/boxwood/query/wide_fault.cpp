@@ -144,10 +144,27 @@ private:
     const std::byte* memory_;
 };
 
+/// Precondition: the root is sound.
+template <int N>
+bool has_root_within_bounds(const WideTreeParts& parts) {
+    const auto& root = *reinterpret_cast<const WideNode<N>*>(parts.memory.data());
+    bool is_within = true;
+    for (int i = 0; i < N; ++i) {
+        if (root.child[i] == 0) continue;
+        for (int k = 0; k < 3; ++k) {
+            is_within &= root.slabs[k].lo[i] >= parts.scale * parts.bounds.lo[k];
+            is_within &= root.slabs[k].hi[i] <= parts.scale * parts.bounds.hi[k];
+        }
+    }
+    return is_within;
+}
+
 template <int N>
 std::optional<std::string> find_fault_of_width(const WideTreeParts& parts) {
     const auto end = static_cast<std::uint32_t>(parts.memory.size() / kReferenceUnit);
     const auto found = FaultFinder<N>(parts).check_node(0, end, 0);
+    if (!found.fault && !has_root_within_bounds<N>(parts))
+        return "the root has a box outside of the bounds";
     if (found.fault) return fmt::format("{} at byte {}", found.fault, byte_offset(found.place));
     if (found.stack_size != parts.stack_size)
         return fmt::format("a walk needs {} places, expected {}", found.stack_size,

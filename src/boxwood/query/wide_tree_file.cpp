@@ -139,18 +139,23 @@ std::optional<InstructionSet> set_of_width(std::uint32_t width) {
     return best;
 }
 
-void check_mesh(const Reader& reader, MeshView mesh, bool trust) {
+void check_mesh(const Reader& reader, MeshView mesh, const OpenTreeOptions& options) {
     const Header& header = reader.header();
+    // One that lies beside the tree is no other mesh, but what is left of its own.
+    const auto refuse = [&](const std::string& message) {
+        if (options.mesh_in_same_file) reader.fail("", message);
+        reader.refuse(message);
+    };
     if (header.faces != mesh.faces.size() || header.vertices != mesh.vertices.size())
-        reader.refuse(
+        refuse(
             fmt::format("found a tree for {} vertices and {} faces, expected one for the "
                         "mesh's {} and {}",
                         header.vertices, header.faces, mesh.vertices.size(), mesh.faces.size()));
-    if (trust) return;
+    if (options.trust && options.mesh_in_same_file) return;
     if (header.faces_hash != hash_of_all(mesh.faces))
-        reader.refuse("found a tree for other faces, expected one for the mesh's");
+        refuse("found a tree for other faces, expected one for the mesh's");
     if (header.vertices_hash != hash_of_all(mesh.vertices))
-        reader.refuse("found a tree for other vertices, expected one for the mesh's");
+        refuse("found a tree for other vertices, expected one for the mesh's");
 }
 
 }  // namespace
@@ -209,7 +214,7 @@ WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptio
     if (!set)
         reader.refuse(fmt::format(
             "found {} children a node, expected a width that this machine can walk", header.width));
-    check_mesh(reader, mesh, options.trust_mesh);
+    check_mesh(reader, mesh, options);
     WideTreeParts parts;
     parts.instruction_set = *set;
     parts.memory = reader.memory();
@@ -224,6 +229,9 @@ WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptio
     parts.cost_at_build = header.cost_at_build;
     parts.faces = header.faces;
     parts.left_out = reader.left_out();
+    if (parts.memory.size() > 0 &&
+        (parts.bounds.is_empty() || !parts.bounds.lo.allFinite() || !parts.bounds.hi.allFinite()))
+        reader.fail("byte 32", "found bounds that hold nothing or aren't finite, expected a box");
     if (parts.scale != scale_for(parts.bounds))
         reader.fail("byte 28", fmt::format("found scale {}, expected {}", parts.scale,
                                            scale_for(parts.bounds)));

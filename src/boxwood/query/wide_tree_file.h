@@ -23,8 +23,9 @@ struct OpenTreeOptions {
     /// walk comes by. For files that nobody else can write and no disk has spoiled: a bad one may
     /// then make queries crash or loop.
     bool trust = false;
-    /// Don't hash the mesh, only count it: where it lies in the same file, that is trusted.
-    bool trust_mesh = false;
+    /// The mesh lies in the same file: with trust it isn't hashed, and where it doesn't belong to the
+    /// tree the file is corrupted.
+    bool mesh_in_same_file = false;
 };
 
 /// The tree as it lies in the file: pages are shared with all who opened it. It keeps the file

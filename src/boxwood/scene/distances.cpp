@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The queries of a scene for points and shapes: those of its instances, put together.
 #include <algorithm>
-#include <cfloat>
 
 #include "boxwood/core/error.h"
 #include "boxwood/query/brute_force.h"
@@ -16,14 +15,6 @@ namespace {
 
 /// Shapes between two looks at whether to go on.
 constexpr std::size_t kPiece = 64;
-
-/// The box a little larger: what touches by rounding is found as well.
-Box3d with_room(const Box3d& box) {
-    const double size =
-        box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).cwiseMin(double{FLT_MAX}).maxCoeff();
-    const Vec3d room = Vec3d::Constant(0x1p-44 * size);
-    return {box.lo - room, box.hi + room};
-}
 
 template <class Shape, class One>
 SceneOverlapLists lists_of(std::span<const Shape> shapes, const BatchOptions& options,
@@ -95,7 +86,7 @@ std::vector<TriangleId> Scene::touching(const Box3d& box, const Touching& touchi
         return false;
     };
     if (!top_.is_empty()) {
-        walk_touching(top_, with_room(box), visit);
+        walk_touching(top_, box, visit);
     } else {
         for (std::uint32_t i = 0; i < instances_.size(); ++i) visit(i);
     }
@@ -117,7 +108,12 @@ std::vector<TriangleId> Scene::box_overlap(const Box3d& box) const {
 
 std::vector<TriangleId> Scene::sphere_overlap(const Sphere3d& sphere) const {
     if (!is_near_anything(sphere.center, sphere.radius)) return {};
-    const Vec3d reach = Vec3d::Constant(sphere.radius * (1 + 0x1p-40));
+    // A distance in double may be less than the exact one by as much.
+    const double largest =
+        top_.is_empty() || top_.root().box.is_empty() ? 0 : largest_coordinate(top_.root().box);
+    const double rounding =
+        0x1p-45 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest);
+    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
     return touching({sphere.center - reach, sphere.center + reach},
                     [&](const auto& surface, const WideTree* tree) {
                         return tree ? boxwood::sphere_overlap(surface, *tree, sphere)
@@ -136,7 +132,7 @@ bool Scene::triangle_overlap(const TriangleCorners& triangle) const noexcept {
         return found;
     };
     if (!top_.is_empty()) {
-        walk_touching(top_, with_room(box_of(triangle)), visit);
+        walk_touching(top_, box_of(triangle), visit);
     } else {
         for (std::uint32_t i = 0; i < instances_.size() && !found; ++i) visit(i);
     }

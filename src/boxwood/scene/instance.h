@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <variant>
 
+#include "boxwood/mesh/placement.h"
 #include "boxwood/mesh/triangle_mesh.h"
 
 namespace boxwood {
@@ -21,13 +21,14 @@ struct SceneMesh {
     SceneMesh(const TriangleMesh& mesh, bool culls = false) : SceneMesh(MeshView(mesh), culls) {}
 };
 
-/// A mesh of a scene, moved. To rays it is what a mesh would be whose vertices were moved there,
-/// each rounded to double; the fronts of its triangles go with it, even where the map mirrors.
+/// A mesh of a scene, moved. To rays it is what a mesh would be whose vertices were moved there by
+/// Placement::to_world(); the fronts of its triangles go with it, even where the map mirrors.
 struct Instance {
     std::uint32_t mesh = 0;  ///< its place among the scene's meshes
-    Eigen::Affine3d to_world = Eigen::Affine3d::Identity();
+    AffineMap to_world = AffineMap::Identity();
     /// Rays see it whose own Ray::visibility has a bit of it.
     std::uint32_t visibility = ~std::uint32_t{0};
 };
+static_assert(sizeof(AffineMap) == 16 * sizeof(double) && alignof(AffineMap) == alignof(double));
 
 }  // namespace boxwood

@@ -30,7 +30,7 @@ void walk_nearest(const Tree& tree, const Vec3d& point, double farthest, const V
         std::uint32_t node;
         double distance;
     };
-    Stack<Entry, kDeepestWithoutParents> waiting;
+    Stack<Entry, kDeepestWithoutParents + 1> waiting;
     const auto entry_of = [&](std::uint32_t node) {
         const Box3f& box = tree.nodes[node].box;
         constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -52,11 +52,12 @@ void walk_nearest(const Tree& tree, const Vec3d& point, double farthest, const V
     }
 }
 
-/// Calls visit(instance) for each whose box touches the box, until it returns true.
+/// Calls visit(instance) for each whose box touches the box, until it returns true. The same
+/// precondition.
 template <class Visit>
 void walk_touching(const Tree& tree, const Box3d& box, const Visit& visit) {
     if (tree.is_empty()) return;
-    Stack<std::uint32_t, kDeepestWithoutParents> waiting;
+    Stack<std::uint32_t, kDeepestWithoutParents + 1> waiting;
     waiting.push(0);
     while (!waiting.is_empty()) {
         const Node& node = tree.nodes[waiting.pop()];

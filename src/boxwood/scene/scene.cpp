@@ -67,7 +67,7 @@ Box3f rounded_outward_within_float(const Box3d& box) {
 
 }  // namespace
 
-Scene::Scene(std::vector<SceneMesh> meshes, const SceneOptions& options)
+Scene::Scene(const std::vector<SceneMesh>& meshes, const SceneOptions& options)
     : Scene(meshes, one_each(meshes.size()), options) {}
 
 Scene::Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
@@ -96,25 +96,29 @@ Scene::Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
       wide_trees_(std::move(trees)),
       report_(std::move(report)) {
     placements_ = placements_of(instances_, given_.size());
-    widen_vertices();
+    for (const SceneMesh& mesh : given_) meshes_.push_back(std::get<MeshView>(mesh.geometry));
+    widened_.resize(given_.size());
     if (!trust) check_all_indices(meshes_);
     build_top();
 }
 
 void Scene::widen_vertices() {
-    widened_.resize(given_.size());
-    meshes_.resize(given_.size());
+    std::vector<std::vector<Vec3d>> widened(given_.size());
+    std::vector<MeshView> meshes(given_.size());
     for (std::size_t i = 0; i < given_.size(); ++i) {
         if (const auto* mesh = std::get_if<MeshView>(&given_[i].geometry)) {
-            meshes_[i] = *mesh;
+            meshes[i] = *mesh;
             continue;
         }
         const auto& mesh = std::get<MeshViewf>(given_[i].geometry);
-        widened_[i].resize(mesh.vertices.size());
+        widened[i].resize(mesh.vertices.size());
         for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
-            widened_[i][k] = mesh.vertices[k].cast<double>();
-        meshes_[i] = {widened_[i], mesh.faces};
+            widened[i][k] = mesh.vertices[k].cast<double>();
+        meshes[i] = {widened[i], mesh.faces};
     }
+    for (std::size_t i = 0; i < wide_trees_.size(); ++i) check_refit(wide_trees_[i], meshes[i]);
+    widened_ = std::move(widened);
+    meshes_ = std::move(meshes);
 }
 
 void Scene::find_faults() {

@@ -56,7 +56,7 @@ class Scene {
 public:
     /// An instance of each mesh, where it is. Throws InvalidInput when a face has an index out of
     /// range. Costs what the builder costs.
-    explicit Scene(std::vector<SceneMesh> meshes, const SceneOptions& options = {});
+    explicit Scene(const std::vector<SceneMesh>& meshes, const SceneOptions& options = {});
     /// The instances alone: a mesh without any is not seen. Throws InvalidInput also when one names
     /// no mesh, or its transform isn't finite or has no inverse.
     Scene(std::vector<SceneMesh> meshes, std::vector<Instance> instances,
@@ -65,7 +65,7 @@ public:
     Scene(Scene&&) = default;
     Scene& operator=(Scene&&) = default;
 
-    /// What was found wrong with the meshes when they were built.
+    /// What was found wrong with the meshes when they were built or last refitted.
     const BuildReport& report() const { return report_; }
 
     /// The hit with the least t in [ray.t_min, ray.t_max], or nothing. Equal distances go to the
@@ -87,10 +87,10 @@ public:
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
-    /// Hits in float for rays in float. Where the scene is one mesh where it is, without culling,
-    /// the answers are those of query/wide_hits.h: the mesh's vertices are rounded to float and all
-    /// arithmetic is in float. Else, and by brute force, they are those in double, rounded. Either
-    /// way they are watertight and the same bits everywhere.
+    /// Hits in float for rays in float. Where the scene is one instance at the identity, without
+    /// culling, the answers are those of query/wide_hits.h: the mesh's vertices are rounded to
+    /// float and all arithmetic is in float. Else, and by brute force, they are those in double,
+    /// rounded. Either way they are watertight and the same bits everywhere.
     void closest_hits(std::span<const Rayf> rays, std::span<Hitf> hits,
                       const BatchOptions& options = {}) const;
     void any_hits(std::span<const Rayf> rays, std::span<bool> hits,
@@ -128,7 +128,7 @@ public:
                         const BatchOptions& options = {}) const;
 
     /// closest_point(), given one of another point, found or not: the nearer that point is, the
-    /// sooner. It doesn't show in the answer.
+    /// sooner. It doesn't show in the answer. Precondition: the scene is as it was then.
     ClosestPoint closest_near(const Vec3d& point, double max_radius,
                               const ClosestPoint& other) const noexcept;
 
@@ -155,9 +155,10 @@ public:
     }
 
     /// Fits the trees to vertices that have moved, in the arrays that the scene refers to; faces
-    /// are the same. All answers are then those of a new scene. How good the trees are yet, one
-    /// figure a mesh: see refit.h, which also says what it throws. No query may run meanwhile.
-    /// O(n), all cores.
+    /// are the same. All answers are then those of a new scene, and report() tells of it. How good
+    /// the trees are yet, one figure a tree: see refit.h. Throws the InvalidInput that it says, and
+    /// then leaves the scene as it was; after another exception, for want of memory or of room in a
+    /// compact tree, it can only be destroyed. No query may run meanwhile. O(n), all cores.
     std::vector<RefitQuality> refit();
 
     /// Replaces the instances; trees over meshes stay. Throws as the constructor does, and then
@@ -188,8 +189,8 @@ private:
     /// where it is brute force.
     template <class Ask>
     auto ask_instance(std::uint32_t instance, const Ask& ask) const;
-    /// Calls visit(instance, ray, t_max) for those that the ray may hit, with the ray as the
-    /// instance is asked. It returns the new t_max, as for traverse().
+    /// Calls visit(instance, ray) for those that the ray may hit, with the ray as the instance is
+    /// asked, t_max included. It returns the new t_max, as for traverse().
     template <class Visit>
     void visit_instances(const Ray& ray, const Visit& visit,
                          TraversalCounts* counts = nullptr) const noexcept;

@@ -304,7 +304,7 @@ Scene open_scene(const fs::path& path, const OpenSceneOptions& options) {
     for (std::size_t i = 0; i < reader.meshes().size(); ++i) {
         const MeshView mesh = reader.mesh(i);
         trees.push_back(wide_tree_in(reader.tree(i), mesh,
-                                     {.trust = options.trust, .trust_mesh = options.trust}));
+                                     {.trust = options.trust, .mesh_in_same_file = true}));
         meshes.emplace_back(mesh, reader.meshes()[i].culls_back_faces != 0);
     }
     try {

@@ -10,7 +10,8 @@ namespace boxwood {
 /// Writes the scene, its meshes, instances and trees, to a file that open_scene() maps;
 /// docs/guide/saved_trees.md has its format. The file appears whole or not at all. Trees as they
 /// were built, that options.keep_trees keeps, are left out. O(n). Throws IoError, and InvalidInput
-/// for a scene by brute force, which has nothing worth keeping.
+/// for a scene by brute force, which has nothing worth keeping. Precondition: vertices that moved
+/// were refitted.
 void save_scene(const Scene& scene, const std::filesystem::path& path);
 
 struct OpenSceneOptions {

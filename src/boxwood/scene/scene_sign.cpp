@@ -107,7 +107,7 @@ SceneSign::~SceneSign() = default;
 
 bool SceneSign::is_trustworthy() const {
     for (const Part& part : parts_)
-        if (!part.solid->sign.is_trustworthy()) return false;
+        if (!part.solid->tree->is_empty() && !part.solid->sign.is_trustworthy()) return false;
     return true;
 }
 
@@ -120,6 +120,7 @@ Side SceneSign::side_of(const Vec3d& point, const ClosestPoint& closest) const n
         default: {
             Side all = {.is_inside = false, .is_sure = true};
             for (const Part& part : parts_) {
+                if (part.solid->tree->is_empty()) continue;
                 const Side side = part.side_of(point, closest);
                 if (side.is_inside && side.is_sure) return side;
                 all.is_inside = all.is_inside || side.is_inside;

@@ -13,8 +13,9 @@
 namespace boxwood {
 
 /// What telling the inside of a scene from its outside takes. Refers to the scene, which must
-/// outlive it and stay as it is, instances and all. O(n log n) to make. Instances share what is
-/// known of their mesh where their transforms keep angles; others get copies of theirs.
+/// outlive it and stay where and as it is, instances and all. A point that is as near to the
+/// surface as rounding is has either sign. O(n log n) to make. Instances share what is known of
+/// their mesh where their transforms keep angles; others get copies of theirs.
 class SceneSign {
 public:
     explicit SceneSign(const Scene& scene, SignMethod method = SignMethod::pseudonormal,
@@ -40,7 +41,7 @@ public:
                           const BatchOptions& options = {}) const;
 
     /// How often all instances together wind around the point: see winding_number.h.
-    /// Precondition: method() is winding_number.
+    /// O(log n) for each instance, as is ray parity. Precondition: method() is winding_number.
     double winding_number(const Vec3d& point) const noexcept;
     void winding_numbers(std::span<const Vec3d> points, std::span<double> results,
                          const BatchOptions& options = {}) const;
