@@ -124,6 +124,30 @@ TEST_F(WideTreeFile, is_refitted_in_memory) {
               opened.parts().cost_at_build);
 }
 
+/// Somebody who means harm makes the checksum fit.
+TEST_F(WideTreeFile, bounds_that_lie_are_refused) {
+    const auto forged = [&](float scale, float lo, float hi) {
+        std::string content = content_;
+        std::memcpy(content.data() + 28, &scale, sizeof(scale));
+        for (int k = 0; k < 3; ++k) {
+            std::memcpy(content.data() + 32 + 4 * k, &lo, sizeof(lo));
+            std::memcpy(content.data() + 44 + 4 * k, &hi, sizeof(hi));
+        }
+        std::uint64_t hash = 0;
+        std::memcpy(content.data() + 136, &hash, sizeof(hash));
+        hash = hash_of(std::as_bytes(std::span(content).first(field<std::uint64_t>(72))));
+        std::memcpy(content.data() + 136, &hash, sizeof(hash));
+        return content;
+    };
+    for (const bool trust : {false, true})
+        EXPECT_EQ(error_with(forged(1, -HUGE_VALF, HUGE_VALF), trust),
+                  expected(":byte 32: found bounds that aren't finite, expected a box"));
+    EXPECT_EQ(error_with(forged(1, -0.5f, 0.5f)),
+              expected(": found a tree in which the root has a box outside of the bounds, expected "
+                       "a sound one"));
+    EXPECT_NE(error_with(forged(1, NAN, NAN)), "no error");
+}
+
 TEST_F(WideTreeFile, keeps_a_tree_in_which_nothing_is_finite_for_now) {
     TriangleMesh nothing = mesh_;
     for (Vec3d& vertex : nothing.vertices) vertex.x() = NAN;

@@ -229,9 +229,8 @@ WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptio
     parts.cost_at_build = header.cost_at_build;
     parts.faces = header.faces;
     parts.left_out = reader.left_out();
-    if (parts.memory.size() > 0 &&
-        (parts.bounds.is_empty() || !parts.bounds.lo.allFinite() || !parts.bounds.hi.allFinite()))
-        reader.fail("byte 32", "found bounds that hold nothing or aren't finite, expected a box");
+    if (!parts.bounds.is_empty() && !(parts.bounds.lo.allFinite() && parts.bounds.hi.allFinite()))
+        reader.fail("byte 32", "found bounds that aren't finite, expected a box");
     if (parts.scale != scale_for(parts.bounds))
         reader.fail("byte 28", fmt::format("found scale {}, expected {}", parts.scale,
                                            scale_for(parts.bounds)));
