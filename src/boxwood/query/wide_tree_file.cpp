@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/files.h"
 #include "boxwood/core/hash.h"
 #include "boxwood/query/kernels/wide_walk.h"
 #include "boxwood/query/wide_fault.h"

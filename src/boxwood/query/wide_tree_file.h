@@ -7,11 +7,12 @@
 #include <span>
 #include <string>
 
-#include "boxwood/core/files.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/wide_tree.h"
 
 namespace boxwood {
+
+class OutputFile;
 
 /// Writes the tree to a file that open_wide_tree() maps; docs/guide/saved_trees.md has its format.
 /// The file appears whole or not at all. O(n). Throws InvalidInput when the mesh has another number
