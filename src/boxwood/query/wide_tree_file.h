@@ -24,8 +24,8 @@ struct OpenTreeOptions {
     /// walk comes by. For files that nobody else can write and no disk has spoiled: a bad one may
     /// then make queries crash or loop.
     bool trust = false;
-    /// The mesh lies in the same file: with trust it isn't hashed, and where it doesn't belong to the
-    /// tree the file is corrupted.
+    /// The mesh lies in the same file: with trust it isn't hashed, and where it doesn't belong to
+    /// the tree the file is corrupted.
     bool mesh_in_same_file = false;
 };
 
