@@ -290,8 +290,8 @@ TEST(InstanceLaws, overlaps_are_those_of_the_moved_meshes) {
             boxes.push_back(box);
             spheres.push_back(sphere);
         }
-        const SceneOverlapLists by_box = scene.box_overlaps(boxes);
-        const SceneOverlapLists by_sphere = scene.sphere_overlaps(spheres);
+        const TriangleLists<TriangleId> by_box = scene.box_overlaps(boxes);
+        const TriangleLists<TriangleId> by_sphere = scene.sphere_overlaps(spheres);
         for (std::size_t k = 0; k < boxes.size(); ++k) {
             const auto box = by_box[k], sphere = by_sphere[k];
             ASSERT_EQ(std::vector(box.begin(), box.end()), scene.box_overlap(boxes[k]));

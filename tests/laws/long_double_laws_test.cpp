@@ -107,48 +107,40 @@ void check_answer(const Case& it, const Ray& ray, const Answer& found, long doub
     }
 }
 
-void check_counts(const Counts& counts) {
+/// Has answer(case, tree, ray) judged for all of them; it may round the ray.
+template <class Answer>
+void check_a_million_pairs(long double off, const Answer& answer) {
+    Counts counts;
+    for (std::uint64_t seed = 0; seed < cases(kMeshes); ++seed) {
+        const Case it = make_case(seed);
+        const WideTree tree = build_wide_tree(it.mesh);
+        for (Ray ray : it.rays) {
+            const auto found = answer(it, tree, ray);
+            ASSERT_NO_FATAL_FAILURE(check_answer(it, ray, found, off, counts))
+                << "seed " << seed << "\n"
+                << testing::PrintToString(ray);
+        }
+    }
     EXPECT_EQ(counts.pairs, cases(kMeshes) * kRays * kTriangles);
     EXPECT_GT(counts.hits, counts.pairs / 50);
     EXPECT_LT(counts.unsure, counts.pairs / 10);
 }
 
 TEST(LongDoubleLaws, double_agrees_on_a_million_pairs) {
-    Counts counts;
-    for (std::uint64_t seed = 0; seed < cases(kMeshes); ++seed) {
-        const Case it = make_case(seed);
-        const WideTree tree = build_wide_tree(it.mesh);
-        for (const Ray& ray : it.rays) {
-            ASSERT_NO_FATAL_FAILURE(
-                check_answer(it, ray, closest_hit(it.mesh, tree, ray), 0x1p-49L, counts))
-                << "seed " << seed << "\n"
-                << testing::PrintToString(ray);
-        }
-    }
-    check_counts(counts);
+    check_a_million_pairs(0x1p-49L, [](const Case& it, const WideTree& tree, const Ray& ray) {
+        return closest_hit(it.mesh, tree, ray);
+    });
 }
 
 TEST(LongDoubleLaws, float_agrees_on_a_million_pairs) {
-    Counts counts;
-    for (std::uint64_t seed = 0; seed < cases(kMeshes); ++seed) {
-        const Case it = make_case(seed);
-        const WideTree tree = build_wide_tree(it.mesh);
-        for (const Ray& ray : it.rays) {
-            Rayf in_float;
-            Ray rounded = ray;
-            for (int k = 0; k < 3; ++k) {
-                in_float.origin[k] = static_cast<float>(ray.origin[k]);
-                in_float.direction[k] = static_cast<float>(ray.direction[k]);
-                rounded.origin[k] = in_float.origin[k];
-                rounded.direction[k] = in_float.direction[k];
-            }
-            ASSERT_NO_FATAL_FAILURE(
-                check_answer(it, rounded, closest_hit(tree, in_float), 0x1p-20L, counts))
-                << "seed " << seed << "\n"
-                << testing::PrintToString(rounded);
+    check_a_million_pairs(0x1p-20L, [](const Case&, const WideTree& tree, Ray& ray) {
+        Rayf in_float;
+        for (int k = 0; k < 3; ++k) {
+            ray.origin[k] = in_float.origin[k] = static_cast<float>(ray.origin[k]);
+            ray.direction[k] = in_float.direction[k] = static_cast<float>(ray.direction[k]);
         }
-    }
-    check_counts(counts);
+        return closest_hit(tree, in_float);
+    });
 }
 
 }  // namespace

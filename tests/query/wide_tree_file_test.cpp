@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "boxwood/build/block_sah.h"
-#include "boxwood/core/error.h"
 #include "boxwood/core/hash.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/certified_hits.h"
@@ -18,6 +17,7 @@
 #include "boxwood/query/wide_fault.h"
 #include "boxwood/query/wide_hits.h"
 #include "cases.h"
+#include "error_of.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
@@ -32,21 +32,6 @@ namespace fs = std::filesystem;
 WideTree tree_over(const TriangleMesh& mesh, const WideTreeOptions& options = {}) {
     const auto width = static_cast<std::uint32_t>(lanes(options.instruction_set));
     return WideTree(mesh, build_block_sah(mesh, {.block = width}), options);
-}
-
-/// What is thrown, by type and message.
-template <class Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const ParseError& error) {
-        return std::string("ParseError ") + error.what();
-    } catch (const InvalidInput& error) {
-        return std::string("InvalidInput ") + error.what();
-    } catch (const IoError& error) {
-        return std::string("IoError ") + error.what();
-    }
-    return "no error";
 }
 
 /// A saved tree and the bytes of its file.

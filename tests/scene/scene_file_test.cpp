@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "boxwood/core/error.h"
 #include "boxwood/core/hash.h"
 #include "boxwood/mesh/generate.h"
+#include "error_of.h"
 #include "laws/hits.h"
 #include "laws/random.h"
 #include "laws/ray_families.h"
@@ -20,20 +20,6 @@ namespace boxwood {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const ParseError& error) {
-        return std::string("ParseError ") + error.what();
-    } catch (const InvalidInput& error) {
-        return std::string("InvalidInput ") + error.what();
-    } catch (const IoError& error) {
-        return std::string("IoError ") + error.what();
-    }
-    return "no error";
-}
 
 /// A scene of three meshes, one of them empty, and five instances, saved.
 class SceneFile : public testing::Test {

@@ -9,13 +9,11 @@
 #include "boxwood/core/error.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_point.h"
+#include "boxwood/query/overlap_batches.h"
 
 namespace boxwood {
 
 namespace {
-
-/// Shapes of one task.
-constexpr std::size_t kPiece = 256;
 
 Box3d in_double(const Box3f& box) { return {box.lo.cast<double>(), box.hi.cast<double>()}; }
 
@@ -121,22 +119,6 @@ bool touches_triangle(const Surface& surface, const WideTree& tree,
     return found;
 }
 
-template <class Shape, class One>
-OverlapLists lists_of(std::span<const Shape> shapes, const BatchOptions& options, const One& one) {
-    std::vector<std::vector<std::uint32_t>> found(shapes.size());
-    for_each_piece(shapes.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) found[i] = one(shapes[i]);
-    });
-    OverlapLists lists;
-    lists.offsets.reserve(shapes.size() + 1);
-    lists.offsets.push_back(0);
-    for (const auto& list : found) lists.offsets.push_back(lists.offsets.back() + list.size());
-    lists.triangles.reserve(lists.offsets.back());
-    for (const auto& list : found)
-        lists.triangles.insert(lists.triangles.end(), list.begin(), list.end());
-    return lists;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> box_overlap(MeshView mesh, const WideTree& tree, const Box3d& box) {
@@ -168,13 +150,15 @@ bool triangle_overlap(const PlacedMesh& placed, const WideTree& tree,
 
 OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes,
                           const BatchOptions& options) {
-    return lists_of(boxes, options, [&](const Box3d& box) { return box_overlap(mesh, tree, box); });
+    return overlaps_of_all<std::uint32_t>(
+        boxes, options, [&](const Box3d& box) { return box_overlap(mesh, tree, box); });
 }
 
 OverlapLists sphere_overlaps(MeshView mesh, const WideTree& tree, std::span<const Sphere3d> spheres,
                              const BatchOptions& options) {
-    return lists_of(spheres, options,
-                    [&](const Sphere3d& sphere) { return sphere_overlap(mesh, tree, sphere); });
+    return overlaps_of_all<std::uint32_t>(spheres, options, [&](const Sphere3d& sphere) {
+        return sphere_overlap(mesh, tree, sphere);
+    });
 }
 
 void triangle_overlaps(MeshView mesh, const WideTree& tree,
@@ -182,10 +166,11 @@ void triangle_overlaps(MeshView mesh, const WideTree& tree,
                        const BatchOptions& options) {
     if (triangles.size() != results.size())
         throw InvalidInput("triangle_overlaps: expected as many places for results as triangles");
-    for_each_piece(triangles.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            results[i] = triangle_overlap(mesh, tree, triangles[i]);
-    });
+    for_each_piece(triangles.size(), kShapesOfPiece, options,
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                           results[i] = triangle_overlap(mesh, tree, triangles[i]);
+                   });
 }
 
 }  // namespace boxwood

@@ -56,14 +56,16 @@ bool triangle_overlap(const PlacedMesh& placed, const WideTree& tree,
                       const TriangleCorners& triangle) noexcept;
 
 /// Lists of triangles, one after another: the i-th is from offsets[i] to offsets[i + 1].
-struct OverlapLists {
-    std::vector<std::size_t> offsets;
-    std::vector<std::uint32_t> triangles;
+template <class Id>
+struct TriangleLists {
+    std::vector<std::size_t> offsets = {0};
+    std::vector<Id> triangles;
 
-    std::span<const std::uint32_t> operator[](std::size_t i) const {
+    std::span<const Id> operator[](std::size_t i) const {
         return std::span(triangles).subspan(offsets[i], offsets[i + 1] - offsets[i]);
     }
 };
+using OverlapLists = TriangleLists<std::uint32_t>;
 
 // The same for each shape, on all cores. They throw what BatchOptions says.
 OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes,

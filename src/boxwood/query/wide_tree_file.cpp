@@ -17,6 +17,7 @@
 #include "boxwood/core/files.h"
 #include "boxwood/core/hash.h"
 #include "boxwood/query/kernels/wide_walk.h"
+#include "boxwood/query/saved_file.h"
 #include "boxwood/query/wide_fault.h"
 
 namespace boxwood {
@@ -25,15 +26,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes that no text has, and line ends that a copy as text would change.
-constexpr std::array<char, 8> kMagic = {'\x89', 'B', 'X', 'W', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kByteOrder = 0x01020304, kSwappedByteOrder = 0x04030201;
-constexpr std::uint32_t kVersion = 1;
-
 struct Header {
-    std::array<char, 8> magic = kMagic;
-    std::uint32_t byte_order = kByteOrder;
-    std::uint32_t version = kVersion;
+    SavedStart start = SavedStart::of('W');
     std::uint32_t width = 0;
     std::uint32_t is_compact = 0;
     std::uint32_t stack_size = 0;
@@ -56,28 +50,17 @@ std::uint64_t hash_of_all(std::span<const T> values) {
 
 std::size_t offset_after(std::size_t left_out) {
     const std::size_t bytes = sizeof(Header) + left_out * sizeof(std::uint32_t);
-    return (bytes + kTreeAlignment - 1) / kTreeAlignment * kTreeAlignment;
+    return aligned_to_page(bytes);
 }
 
 /// Reads the file's front, and throws what is wrong with it.
 class Reader {
 public:
-    explicit Reader(const PartOfFile& part) : part_(part) {
-        const std::size_t size = std::min(part_.bytes.size(), sizeof(Header));
-        if (size > 0) std::memcpy(&header_, part_.bytes.data(), size);
-        if (size < sizeof(kMagic) || header_.magic != kMagic)
-            fail("byte 0", "found no saved tree, expected one");
-        if (size < sizeof(Header))
-            fail("", fmt::format("found {} bytes, expected at least {}", size, sizeof(Header)));
-        if (header_.byte_order == kSwappedByteOrder)
-            fail("byte 8", "found the byte order of another kind of machine, expected this one's");
-        if (header_.byte_order != kByteOrder)
-            fail("byte 8", fmt::format("found {:#010x}, expected the byte order {:#010x}",
-                                       header_.byte_order, kByteOrder));
-        if (header_.version != kVersion)
-            fail("byte 12",
-                 fmt::format("found version {}, expected {}{}", header_.version, kVersion,
-                             header_.version > kVersion ? "; update Boxwood" : ""));
+    explicit Reader(const PartOfFile& part)
+        : part_(part),
+          header_(read_saved_header<Header>(
+              part.bytes, "tree",
+              [&](const auto& place, const auto& message) { fail(place, message); })) {
         check_front();
     }
 
@@ -113,12 +96,8 @@ private:
             header_.left_out > size || header_.tree_offset != offset_after(header_.left_out))
             fail("byte 72", fmt::format("found {} bytes and a tree at byte {}, expected it within",
                                         size, header_.tree_offset));
-        std::vector<std::byte> front(part_.bytes.data(), part_.bytes.data() + header_.tree_offset);
-        std::memset(front.data() + offsetof(Header, front_hash), 0, sizeof(header_.front_hash));
-        const std::uint64_t found = hash_of(front);
-        if (found != header_.front_hash)
-            fail("byte 136", fmt::format("found a front of checksum {:016x}, expected {:016x}",
-                                         found, header_.front_hash));
+        check_front_hash(part_.bytes.first(header_.tree_offset), offsetof(Header, front_hash),
+                         [&](const auto& place, const auto& message) { fail(place, message); });
         if (size - header_.tree_offset != header_.tree_bytes)
             fail("", fmt::format("found {} bytes of tree, expected {}", size - header_.tree_offset,
                                  header_.tree_bytes));
@@ -196,7 +175,7 @@ void write_wide_tree(OutputFile& file, const WideTree& tree, MeshView mesh) {
     if (!parts.left_out.empty())
         std::memcpy(front.data() + sizeof(header), parts.left_out.data(),
                     parts.left_out.size() * sizeof(parts.left_out[0]));
-    header.front_hash = hash_of(front);
+    header.front_hash = hash_of_front(front, offsetof(Header, front_hash));
     std::memcpy(front.data(), &header, sizeof(header));
     file.write(front);
     file.write(bytes);

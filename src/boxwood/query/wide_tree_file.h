@@ -42,9 +42,6 @@ WideTree open_wide_tree(const std::filesystem::path& path, MeshView mesh,
 
 // The same within a larger file, such as that of a scene.
 
-/// A page on most systems, so that few are read for nothing.
-constexpr std::size_t kTreeAlignment = std::size_t{1} << 12;
-
 /// Bytes of a file that is mapped: they stay as they are for as long as the owner lives.
 struct PartOfFile {
     std::string name;  ///< what messages call it
@@ -54,9 +51,9 @@ struct PartOfFile {
 
 /// How long the file of a tree is.
 std::size_t saved_bytes(const WideTree& tree);
-/// Writes what save_wide_tree() does. Precondition: the file is a multiple of kTreeAlignment long.
+/// Writes what save_wide_tree() does. Precondition: the file is a multiple of kSavedAlignment long.
 void write_wide_tree(OutputFile& file, const WideTree& tree, MeshView mesh);
-/// Precondition: the part begins at a multiple of kTreeAlignment in the file.
+/// Precondition: the part begins at a multiple of kSavedAlignment in the file.
 WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptions& options = {});
 
 }  // namespace boxwood

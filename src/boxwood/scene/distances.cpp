@@ -5,34 +5,12 @@
 #include "boxwood/core/error.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/mesh_point.h"
+#include "boxwood/query/overlap_batches.h"
 #include "boxwood/query/point_order.h"
 #include "boxwood/scene/ask_instance.h"
 #include "boxwood/scene/nearest_instances.h"
 
 namespace boxwood {
-
-namespace {
-
-/// Shapes between two looks at whether to go on.
-constexpr std::size_t kPiece = 64;
-
-template <class Shape, class One>
-SceneOverlapLists lists_of(std::span<const Shape> shapes, const BatchOptions& options,
-                           const One& one) {
-    std::vector<std::vector<TriangleId>> found(shapes.size());
-    for_each_piece(shapes.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) found[i] = one(shapes[i]);
-    });
-    SceneOverlapLists lists;
-    lists.offsets.reserve(shapes.size() + 1);
-    for (const auto& list : found) lists.offsets.push_back(lists.offsets.back() + list.size());
-    lists.triangles.reserve(lists.offsets.back());
-    for (const auto& list : found)
-        lists.triangles.insert(lists.triangles.end(), list.begin(), list.end());
-    return lists;
-}
-
-}  // namespace
 
 ClosestPoint Scene::closest_near(const Vec3d& point, double max_radius,
                                  const ClosestPoint& other) const noexcept {
@@ -139,24 +117,27 @@ bool Scene::triangle_overlap(const TriangleCorners& triangle) const noexcept {
     return found;
 }
 
-SceneOverlapLists Scene::box_overlaps(std::span<const Box3d> boxes,
-                                      const BatchOptions& options) const {
-    return lists_of(boxes, options, [&](const Box3d& box) { return box_overlap(box); });
+TriangleLists<TriangleId> Scene::box_overlaps(std::span<const Box3d> boxes,
+                                              const BatchOptions& options) const {
+    return overlaps_of_all<TriangleId>(boxes, options,
+                                       [&](const Box3d& box) { return box_overlap(box); });
 }
 
-SceneOverlapLists Scene::sphere_overlaps(std::span<const Sphere3d> spheres,
-                                         const BatchOptions& options) const {
-    return lists_of(spheres, options,
-                    [&](const Sphere3d& sphere) { return sphere_overlap(sphere); });
+TriangleLists<TriangleId> Scene::sphere_overlaps(std::span<const Sphere3d> spheres,
+                                                 const BatchOptions& options) const {
+    return overlaps_of_all<TriangleId>(
+        spheres, options, [&](const Sphere3d& sphere) { return sphere_overlap(sphere); });
 }
 
 void Scene::triangle_overlaps(std::span<const TriangleCorners> triangles, std::span<bool> results,
                               const BatchOptions& options) const {
     if (triangles.size() != results.size())
         throw InvalidInput("triangle_overlaps: expected as many places for results as triangles");
-    for_each_piece(triangles.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) results[i] = triangle_overlap(triangles[i]);
-    });
+    for_each_piece(triangles.size(), kShapesOfPiece, options,
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                           results[i] = triangle_overlap(triangles[i]);
+                   });
 }
 
 }  // namespace boxwood

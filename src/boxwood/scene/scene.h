@@ -39,16 +39,6 @@ struct SceneOptions {
     bool keep_trees = false;
 };
 
-/// Lists of triangles, one after another: the i-th is from offsets[i] to offsets[i + 1].
-struct SceneOverlapLists {
-    std::vector<std::size_t> offsets = {0};
-    std::vector<TriangleId> triangles;
-
-    std::span<const TriangleId> operator[](std::size_t i) const {
-        return std::span(triangles).subspan(offsets[i], offsets[i + 1] - offsets[i]);
-    }
-};
-
 /// Triangle meshes, and instances of them, that can be asked what a ray hits. It refers to the
 /// meshes' arrays, which must outlive it and stay as they are, but for refit(). Queries may run
 /// from any number of threads at once.
@@ -138,10 +128,10 @@ public:
     std::vector<TriangleId> sphere_overlap(const Sphere3d& sphere) const;
     bool triangle_overlap(const TriangleCorners& triangle) const noexcept;
     /// The same for each, on all cores. Throw InvalidInput when the sizes differ, and Cancelled.
-    SceneOverlapLists box_overlaps(std::span<const Box3d> boxes,
-                                   const BatchOptions& options = {}) const;
-    SceneOverlapLists sphere_overlaps(std::span<const Sphere3d> spheres,
-                                      const BatchOptions& options = {}) const;
+    TriangleLists<TriangleId> box_overlaps(std::span<const Box3d> boxes,
+                                           const BatchOptions& options = {}) const;
+    TriangleLists<TriangleId> sphere_overlaps(std::span<const Sphere3d> spheres,
+                                              const BatchOptions& options = {}) const;
     void triangle_overlaps(std::span<const TriangleCorners> triangles, std::span<bool> results,
                            const BatchOptions& options = {}) const;
 

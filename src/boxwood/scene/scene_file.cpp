@@ -15,7 +15,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/files.h"
-#include "boxwood/core/hash.h"
+#include "boxwood/query/saved_file.h"
 #include "boxwood/query/wide_tree_file.h"
 
 namespace boxwood {
@@ -24,15 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes that no text has, and line ends that a copy as text would change.
-constexpr std::array<char, 8> kMagic = {'\x89', 'B', 'X', 'S', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint32_t kByteOrder = 0x01020304, kSwappedByteOrder = 0x04030201;
-constexpr std::uint32_t kVersion = 1;
-
 struct Header {
-    std::array<char, 8> magic = kMagic;
-    std::uint32_t byte_order = kByteOrder;
-    std::uint32_t version = kVersion;
+    SavedStart start = SavedStart::of('S');
     std::uint64_t meshes = 0, instances = 0;
     std::uint64_t front_bytes = 0;  ///< where the first mesh begins
     std::uint64_t file_bytes = 0;
@@ -40,7 +33,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 56);
 
-/// Its arrays follow one another from `place` on, each from a multiple of kTreeAlignment.
+/// Its arrays follow one another from `place` on, each from a multiple of kSavedAlignment.
 struct MeshEntry {
     std::uint64_t place = 0;
     std::uint64_t vertices = 0, faces = 0;
@@ -56,20 +49,16 @@ struct InstanceEntry {
 };
 static_assert(sizeof(InstanceEntry) == 104);
 
-std::uint64_t aligned(std::uint64_t bytes) {
-    return (bytes + kTreeAlignment - 1) / kTreeAlignment * kTreeAlignment;
-}
-
 template <class T>
 void append(std::vector<std::byte>& bytes, std::span<const T> values) {
     const auto more = std::as_bytes(values);
     bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// Writes zeros up to a multiple of kTreeAlignment.
+/// Writes zeros up to a multiple of kSavedAlignment.
 void fill_up(OutputFile& file, std::uint64_t bytes) {
-    static constexpr std::array<std::byte, kTreeAlignment> kZeros = {};
-    file.write(std::span(kZeros).first(aligned(bytes) - bytes));
+    static constexpr std::array<std::byte, kSavedAlignment> kZeros = {};
+    file.write(std::span(kZeros).first(aligned_to_page(bytes) - bytes));
 }
 
 template <class T>
@@ -100,22 +89,8 @@ public:
     explicit Reader(const fs::path& path)
         : name_(path.string()), file_(std::make_shared<MappedFile>(path, FileAccess::random)) {
         bytes_ = std::as_bytes(std::span(file_->text()));
-        const std::size_t size = std::min(bytes_.size(), sizeof(Header));
-        if (size > 0) std::memcpy(&header_, bytes_.data(), size);
-        if (bytes_.size() < sizeof(kMagic) || header_.magic != kMagic)
-            fail("byte 0", "found no saved scene, expected one");
-        if (bytes_.size() < sizeof(Header))
-            fail("", fmt::format("found {} bytes, expected at least {}", bytes_.size(),
-                                 sizeof(Header)));
-        if (header_.byte_order == kSwappedByteOrder)
-            fail("byte 8", "found the byte order of another kind of machine, expected this one's");
-        if (header_.byte_order != kByteOrder)
-            fail("byte 8", fmt::format("found {:#010x}, expected the byte order {:#010x}",
-                                       header_.byte_order, kByteOrder));
-        if (header_.version != kVersion)
-            fail("byte 12",
-                 fmt::format("found version {}, expected {}{}", header_.version, kVersion,
-                             header_.version > kVersion ? "; update Boxwood" : ""));
+        header_ = read_saved_header<Header>(
+            bytes_, "scene", [&](const auto& place, const auto& message) { fail(place, message); });
         if (header_.file_bytes != bytes_.size())
             fail("", fmt::format("found {} bytes, expected {}", bytes_.size(), header_.file_bytes));
         check_front();
@@ -144,10 +119,10 @@ public:
 
 private:
     static std::uint64_t faces_at(const MeshEntry& entry) {
-        return entry.place + aligned(entry.vertices * sizeof(Vec3d));
+        return entry.place + aligned_to_page(entry.vertices * sizeof(Vec3d));
     }
     static std::uint64_t tree_at(const MeshEntry& entry) {
-        return faces_at(entry) + aligned(entry.faces * sizeof(Vec3i));
+        return faces_at(entry) + aligned_to_page(entry.faces * sizeof(Vec3i));
     }
 
     template <class T>
@@ -159,12 +134,8 @@ private:
         if (header_.front_bytes > bytes_.size() || header_.front_bytes < sizeof(Header))
             fail("byte 32", fmt::format("found {} bytes in front of the meshes, expected {} to {}",
                                         header_.front_bytes, sizeof(Header), bytes_.size()));
-        std::vector<std::byte> front(bytes_.data(), bytes_.data() + header_.front_bytes);
-        std::memset(front.data() + offsetof(Header, front_hash), 0, sizeof(header_.front_hash));
-        const std::uint64_t found = hash_of(front);
-        if (found != header_.front_hash)
-            fail("byte 48", fmt::format("found a front of checksum {:016x}, expected {:016x}",
-                                        found, header_.front_hash));
+        check_front_hash(bytes_.first(header_.front_bytes), offsetof(Header, front_hash),
+                         [&](const auto& place, const auto& message) { fail(place, message); });
     }
 
     /// The next values of the front.
@@ -214,11 +185,11 @@ private:
     void check_place(std::size_t i, std::uint64_t& place) const {
         const MeshEntry& entry = meshes_[i];
         const std::uint64_t room = bytes_.size() - place;
-        const bool fits = entry.place == place && place % kTreeAlignment == 0 &&
+        const bool fits = entry.place == place && place % kSavedAlignment == 0 &&
                           entry.vertices <= room / sizeof(Vec3d) &&
                           entry.faces <= room / sizeof(Vec3i) && entry.tree_bytes <= room;
         // Each is less than 2^60 now, so sums don't overflow.
-        const std::uint64_t end = fits ? tree_at(entry) + aligned(entry.tree_bytes) : 0;
+        const std::uint64_t end = fits ? tree_at(entry) + aligned_to_page(entry.tree_bytes) : 0;
         if (!fits || end > bytes_.size())
             fail(fmt::format("byte {}", sizeof(Header) + i * sizeof(MeshEntry)),
                  fmt::format("found mesh {} at byte {} with {} vertices, {} faces and a tree of {} "
@@ -262,13 +233,13 @@ void save_scene(const Scene& scene, const fs::path& path) {
     for (const Instance& instance : scene.instances()) instances.push_back(entry_of(instance));
 
     header.front_bytes =
-        aligned(sizeof(Header) + meshes.size() * sizeof(MeshEntry) +
-                instances.size() * sizeof(InstanceEntry) + faults * sizeof(std::uint32_t));
+        aligned_to_page(sizeof(Header) + meshes.size() * sizeof(MeshEntry) +
+                        instances.size() * sizeof(InstanceEntry) + faults * sizeof(std::uint32_t));
     std::uint64_t place = header.front_bytes;
     for (MeshEntry& entry : meshes) {
         entry.place = place;
-        place += aligned(entry.vertices * sizeof(Vec3d)) + aligned(entry.faces * sizeof(Vec3i)) +
-                 aligned(entry.tree_bytes);
+        place += aligned_to_page(entry.vertices * sizeof(Vec3d)) +
+                 aligned_to_page(entry.faces * sizeof(Vec3i)) + aligned_to_page(entry.tree_bytes);
     }
     header.file_bytes = place;
 
@@ -282,7 +253,7 @@ void save_scene(const Scene& scene, const fs::path& path) {
         append(front, std::span<const std::uint32_t>(found.zero_area));
     }
     front.resize(header.front_bytes);
-    header.front_hash = hash_of(front);
+    header.front_hash = hash_of_front(front, offsetof(Header, front_hash));
     std::memcpy(front.data(), &header, sizeof(header));
 
     OutputFile file(path);
