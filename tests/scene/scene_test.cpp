@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/random.h"
 #include "boxwood/mesh/generate.h"
+#include "boxwood/query/brute_force.h"
 #include "laws/mesh_families.h"
 
 namespace boxwood {
@@ -264,6 +266,51 @@ TEST(Scene, refit_answers_as_a_new_scene) {
         EXPECT_EQ(found->triangle, expected->triangle) << i;
         EXPECT_EQ(counted->t, expected->t) << i;
     }
+}
+
+/// The second mesh can't be refitted, so the first isn't either.
+TEST(Scene, refit_that_is_refused_leaves_the_scene_as_it_was) {
+    TriangleMesh first = flat_triangle(), second = flat_triangle();
+    second.faces.push_back({0, 1, 3});
+    second.vertices.push_back(Vec3d::Constant(kNaN));
+    std::vector<Vec3f> floats;
+    for (const Vec3d& vertex : first.vertices) floats.push_back(vertex.cast<float>());
+    Scene scene({MeshViewf{floats, first.faces}, second});
+    for (Vec3f& vertex : floats) vertex.x() += 100;
+    second.vertices[3] = {0, 0, 1};
+    EXPECT_THROW(scene.refit(), InvalidInput);
+    EXPECT_EQ(scene.closest_hit({.origin = {0, 0, 5}})->instance, 0u);
+    EXPECT_FALSE(scene.any_hit({.origin = {100, 0, 5}}));
+    second.vertices[3].setConstant(kNaN);
+    scene.refit();
+    EXPECT_EQ(scene.closest_hit({.origin = {0, 0, 5}})->instance, 1u);
+    EXPECT_TRUE(scene.any_hit({.origin = {100, 0, 5}}));
+}
+
+/// Coordinates so large that the rounding of distances shows.
+TEST(Scene, spheres_find_what_brute_force_finds_next_to_huge_triangles) {
+    Instance far;
+    far.to_world.translate(Vec3d(1e19, 0, 0));
+    std::size_t touching = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        const auto number = [&](std::uint32_t k) { return uniform(7, seed, k); };
+        const double size = std::pow(10.0, 14 + 3 * number(0));
+        const TriangleMesh mesh = {.vertices = {{1 + number(1), -size * number(2), size},
+                                                {1 + number(3), size, -size * number(4)},
+                                                {1 + number(5), -size, -size}},
+                                   .faces = {{0, 1, 2}}};
+        const Scene scene({mesh}, {Instance(), far}, {});
+        const Vec3d center(number(6), number(7), number(8));
+        const auto nearest = scene.closest_point(center);
+        ASSERT_TRUE(nearest);
+        for (const double radius : {nearest->distance, std::nextafter(nearest->distance, 0.0)}) {
+            const Sphere3d sphere = {center, radius};
+            const auto expected = sphere_overlap_brute_force(MeshView(mesh), sphere);
+            ASSERT_EQ(scene.sphere_overlap(sphere).size(), expected.size()) << seed;
+            touching += expected.size();
+        }
+    }
+    EXPECT_GT(touching, 2000u);
 }
 
 }  // namespace

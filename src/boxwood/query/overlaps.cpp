@@ -94,14 +94,9 @@ template <class Surface>
 std::vector<std::uint32_t> touching_sphere(const Surface& surface, const WideTree& tree,
                                            const Sphere3d& sphere, double largest) {
     if (tree.is_empty() || !is_near_anything(sphere.center, sphere.radius)) return {};
-    // A distance in double may be less than the exact one by as much.
-    const double rounding =
-        0x1p-46 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest);
-    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
-    return all_touching(surface, tree, {sphere.center - reach, sphere.center + reach},
-                        [&](std::uint32_t triangle) {
-                            return distance_to(surface, triangle, sphere.center) <= sphere.radius;
-                        });
+    return all_touching(surface, tree, box_around(sphere, largest), [&](std::uint32_t triangle) {
+        return distance_to(surface, triangle, sphere.center) <= sphere.radius;
+    });
 }
 
 template <class Surface>
@@ -146,6 +141,14 @@ bool triangle_overlap(MeshView mesh, const WideTree& tree,
 bool triangle_overlap(const PlacedMesh& placed, const WideTree& tree,
                       const TriangleCorners& triangle) noexcept {
     return touches_triangle(placed, tree, triangle);
+}
+
+Box3d box_around(const Sphere3d& sphere, double largest) {
+    // A distance in double may be less than the exact one by as much.
+    const double rounding =
+        0x1p-46 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest);
+    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
+    return {sphere.center - reach, sphere.center + reach};
 }
 
 OverlapLists box_overlaps(MeshView mesh, const WideTree& tree, std::span<const Box3d> boxes,

@@ -34,6 +34,9 @@ struct Sphere3d {
     double radius = 0;
 };
 
+/// A box around all that sphere_overlap() may find where no coordinate is larger than that.
+Box3d box_around(const Sphere3d& sphere, double largest);
+
 /// The triangles that touch the box, in order. None where the box is empty or has a NaN.
 std::vector<std::uint32_t> box_overlap(MeshView mesh, const WideTree& tree, const Box3d& box);
 

@@ -155,6 +155,10 @@ Part refit_all(WideTreeParts& parts, MeshView mesh) {
 
 RefitQuality refit(WideTree& tree, MeshView moved) {
     check_refit(tree, moved);
+    return refit_checked(tree, moved);
+}
+
+RefitQuality refit_checked(WideTree& tree, MeshView moved) {
     WideTreeParts parts = tree.release();
     Part root = refit_all(parts, moved);
     const float scale = scale_for(root.box);

@@ -31,5 +31,7 @@ RefitQuality refit(WideTree& tree, MeshView moved);
 
 /// Throws the InvalidInput that refit() does before it changes anything.
 void check_refit(const WideTree& tree, MeshView moved);
+/// All else that it does. Precondition: check_refit() threw nothing.
+RefitQuality refit_checked(WideTree& tree, MeshView moved);
 
 }  // namespace boxwood

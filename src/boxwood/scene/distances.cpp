@@ -86,17 +86,13 @@ std::vector<TriangleId> Scene::box_overlap(const Box3d& box) const {
 
 std::vector<TriangleId> Scene::sphere_overlap(const Sphere3d& sphere) const {
     if (!is_near_anything(sphere.center, sphere.radius)) return {};
-    // A distance in double may be less than the exact one by as much.
-    const double largest =
-        top_.is_empty() || top_.root().box.is_empty() ? 0 : largest_coordinate(top_.root().box);
-    const double rounding =
-        0x1p-45 * (sphere.radius + sphere.center.lpNorm<Eigen::Infinity>() + largest);
-    const Vec3d reach = Vec3d::Constant(sphere.radius + rounding);
-    return touching({sphere.center - reach, sphere.center + reach},
-                    [&](const auto& surface, const WideTree* tree) {
-                        return tree ? boxwood::sphere_overlap(surface, *tree, sphere)
-                                    : sphere_overlap_brute_force(surface, sphere);
-                    });
+    // A scene of one instance has no tree to walk by the box.
+    const bool has_boxes = !top_.is_empty() && !top_.root().box.is_empty();
+    const double largest = has_boxes ? largest_coordinate(top_.root().box) : 0;
+    return touching(box_around(sphere, largest), [&](const auto& surface, const WideTree* tree) {
+        return tree ? boxwood::sphere_overlap(surface, *tree, sphere)
+                    : sphere_overlap_brute_force(surface, sphere);
+    });
 }
 
 bool Scene::triangle_overlap(const TriangleCorners& triangle) const noexcept {

@@ -188,7 +188,7 @@ std::vector<RefitQuality> Scene::refit() {
     widen_vertices();
     std::vector<RefitQuality> qualities;
     for (std::size_t i = 0; i < wide_trees_.size(); ++i)
-        qualities.push_back(boxwood::refit(wide_trees_[i], meshes_[i]));
+        qualities.push_back(refit_checked(wide_trees_[i], meshes_[i]));
     for (std::size_t i = 0; i < trees_.size(); ++i)
         boxwood::refit(trees_[i], triangle_boxes(meshes_[i]));
     build_top();
