@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "boxwood/mesh/off.h"
+#include "boxwood/mesh/mesh_file.h"
 #include "boxwood/mesh/weld.h"
 #include "boxwood/query/all_hits.h"
 #include "boxwood/scene/build_wide_tree.h"
@@ -42,7 +42,7 @@ TEST_P(ScanParity, no_ray_from_outside_crosses_an_odd_number_of_times) {
     const std::filesystem::path file =
         std::filesystem::path(BOXWOOD_DATA_DIR) / (std::string(GetParam()) + ".off");
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << ": run ./dev data";
-    const TriangleMesh mesh = read_off(file);
+    const TriangleMesh mesh = read_mesh(file);
     ASSERT_TRUE(edges_are_even(mesh));
     const WideTree tree = build_wide_tree(mesh, {.preset = BuildPreset::fast});
 

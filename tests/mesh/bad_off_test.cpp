@@ -10,7 +10,7 @@
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/random.h"
 #include "boxwood/mesh/generate.h"
-#include "boxwood/mesh/off.h"
+#include "boxwood/mesh/mesh_file.h"
 #include "cases.h"
 #include "mesh/off_text.h"
 #include "temp_dir.h"
@@ -173,7 +173,7 @@ TEST(ReadOff, a_file_cut_anywhere_is_an_error_or_a_mesh) {
         const TempDir dir;
         const auto path = dir.write("mesh.off", kTwoFaces.substr(0, size));
         try {
-            const TriangleMesh mesh = read_off(path);
+            const TriangleMesh mesh = read_mesh(path);
             EXPECT_EQ(mesh.vertices.size(), 4u) << size;
             EXPECT_NO_THROW(check_indices(mesh)) << size;
         } catch (const ParseError&) {
@@ -197,7 +197,7 @@ TEST(ReadOff, a_file_with_random_changes_is_an_error_or_a_mesh) {
                 spice[random(spice.size())];
         const auto path = dir.write("mesh.off", text);
         try {
-            const TriangleMesh mesh = read_off(path);
+            const TriangleMesh mesh = read_mesh(path);
             EXPECT_NO_THROW(check_indices(mesh)) << round;
             for (const Vec3d& vertex : mesh.vertices) EXPECT_TRUE(vertex.allFinite()) << round;
         } catch (const ParseError&) {
@@ -207,8 +207,10 @@ TEST(ReadOff, a_file_with_random_changes_is_an_error_or_a_mesh) {
 
 TEST(ReadOff, what_is_no_file_is_an_io_error) {
     const TempDir dir;
-    EXPECT_THROW(read_off(dir / "missing.off"), IoError);
-    EXPECT_THROW(read_off(dir.path()), IoError);
+    EXPECT_THROW(read_mesh(dir / "missing.off"), IoError);
+    EXPECT_THROW(
+        (std::filesystem::create_directory(dir / "folder.off"), read_mesh(dir / "folder.off")),
+        IoError);
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(ReadOff, the_mesh_does_not_depend_on_the_number_of_threads) {
     write_off(dir / "mesh.off", mesh);
     for (const std::size_t threads : {1, 2, 8}) {
         const ThreadLimit limit(threads);
-        EXPECT_TRUE(same(read_off(dir / "mesh.off"), mesh)) << threads;
+        EXPECT_TRUE(same(read_mesh(dir / "mesh.off"), mesh)) << threads;
     }
 }
 

@@ -28,21 +28,17 @@ inline const std::string kTwoFaces =
     "3  0 1 2\n"
     "3 0 2 3  255 0 0\n";
 
-inline TriangleMesh parsed(std::string_view text) {
-    const TempDir dir;
-    return read_off(dir.write("mesh.off", text));
-}
+inline TriangleMesh parsed(std::string_view text) { return parse_off({text, "mesh.off"}); }
 
 /// What is wrong with the text, as "line: message".
 inline std::string complaint_about(std::string_view text) {
-    const TempDir dir;
-    const auto path = dir.write("mesh.off", text);
+    constexpr std::string_view kName = "mesh.off:";
     try {
-        read_off(path);
+        parse_off({text, "mesh.off"});
     } catch (const ParseError& error) {
         const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with(path.string() + ":")) << message;
-        return message.substr(std::min(message.size(), path.string().size() + 1));
+        EXPECT_TRUE(message.starts_with(kName)) << message;
+        return message.substr(std::min(message.size(), kName.size()));
     }
     return "none";
 }

@@ -7,6 +7,7 @@
 namespace boxwood {
 
 using Vec2d = Eigen::Vector2d;
+using Vec2f = Eigen::Vector2f;
 using Vec3d = Eigen::Vector3d;
 using Vec3f = Eigen::Vector3f;
 using Vec3i = Eigen::Vector3i;

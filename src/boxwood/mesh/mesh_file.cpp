@@ -6,13 +6,16 @@
 #include <string>
 
 #include "boxwood/core/error.h"
+#include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/off.h"
 
 namespace boxwood {
 
 namespace {
 
-std::string lower_case_extension(const std::filesystem::path& path) {
+namespace fs = std::filesystem;
+
+std::string lower_case_extension(const fs::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -20,23 +23,55 @@ std::string lower_case_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-InvalidInput unknown_format(const std::filesystem::path& path) {
+InvalidInput unknown_format(const fs::path& path, bool must_write) {
+    std::string known;
+    for (const MeshFormat& format : mesh_formats()) {
+        if (must_write && !format.write) continue;
+        if (!known.empty()) known += ", ";
+        known += format.extension;
+    }
     const std::string extension = path.extension().string();
-    return InvalidInput(fmt::format("{}: found {}, expected a mesh file that ends in .off",
-                                    path.string(),
-                                    extension.empty() ? "a name without extension" : extension));
+    return InvalidInput(
+        fmt::format("{}: found {}, expected a mesh file that ends in {}", path.string(),
+                    extension.empty() ? "a name without extension" : extension, known));
+}
+
+const MeshFormat* find_format(fs::path path) {
+    if (lower_case_extension(path) == ".gz") path.replace_extension();
+    const std::string extension = lower_case_extension(path);
+    for (const MeshFormat& format : mesh_formats()) {
+        if (format.extension == extension) return &format;
+    }
+    return nullptr;
 }
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
-    if (lower_case_extension(path) == ".off") return read_off(path);
-    throw unknown_format(path);
+std::span<const MeshFormat> mesh_formats() {
+    static constexpr MeshFormat kFormats[] = {
+        {".off", "Object File Format", parse_off, write_off},
+    };
+    return kFormats;
 }
 
-void write_mesh(const std::filesystem::path& path, MeshView mesh) {
-    if (lower_case_extension(path) == ".off") return write_off(path, mesh);
-    throw unknown_format(path);
+const MeshFormat& mesh_format_of(const fs::path& path) {
+    if (const MeshFormat* format = find_format(path)) return *format;
+    throw unknown_format(path, false);
+}
+
+MeshData read_mesh(const fs::path& path, const ReadOptions& options) {
+    const MeshFormat& format = mesh_format_of(path);
+    const FileContent content(path, options.limits);
+    return format.parse({content.bytes(), path}, options);
+}
+
+void write_mesh(const fs::path& path, MeshView mesh, const MeshAttributes& attributes) {
+    const MeshFormat* format = find_format(path);
+    if (!format || !format->write || lower_case_extension(path) == ".gz")
+        throw unknown_format(path, true);
+    check_indices(mesh);
+    check_attributes(mesh, attributes);
+    format->write(path, mesh, attributes);
 }
 
 }  // namespace boxwood

@@ -6,22 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "boxwood/core/error.h"
-#include "boxwood/core/files.h"
-#include "boxwood/core/parallel.h"
 #include "boxwood/mesh/off.h"
+#include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
 
 namespace boxwood {
 
 namespace {
-
-constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
 
 struct Header {
     std::size_t vertices = 0;
@@ -36,15 +32,15 @@ struct Chunk {
     std::size_t content_lines = 0, first_content_line = 0;
     std::vector<Vec3i> faces;
     std::size_t first_face = 0;
-    std::exception_ptr failure;
 };
 
 class OffReader {
 public:
-    explicit OffReader(const std::filesystem::path& path) : name_(path.string()), file_(path) {}
+    explicit OffReader(const MeshSource& source, const Limits& limits)
+        : name_(source.name()), text_(source.bytes), limits_(limits) {}
 
-    TriangleMesh read() {
-        TextScanner scanner(file_.text());
+    MeshData read() {
+        TextScanner scanner(text_);
         read_header(scanner);
         split_body(scanner);
         read_body();
@@ -67,8 +63,8 @@ private:
                 fail(scanner, "the file ends, expected the counts of vertices and faces");
         }
         header_.line = scanner.line();
-        header_.vertices = read_count(scanner, "vertices");
-        header_.faces = read_count(scanner, "faces");
+        header_.vertices = read_count(scanner, "vertices", limits_.max_vertices);
+        header_.faces = read_count(scanner, "faces", limits_.max_faces);
         skip_numbers(scanner);  // the count of edges, which nobody keeps right
         scanner.finish_line();
     }
@@ -87,20 +83,19 @@ private:
             fail(scanner, "found 'OFF BINARY', expected OFF as text");
     }
 
-    std::size_t read_count(TextScanner& scanner, const char* what) const {
-        constexpr int kMost = std::numeric_limits<int>::max();
+    std::size_t read_count(TextScanner& scanner, const char* what, std::uint64_t most) const {
         const std::string_view word = TextScanner(scanner).word();
         const auto count = scanner.integer();
-        if (!count || *count < 0 || *count > kMost)
+        if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > most)
             fail(scanner, fmt::format("found {} as the count of {}, expected 0 to {}",
-                                      word.empty() ? "nothing" : quoted(word), what, kMost));
+                                      word.empty() ? "nothing" : quoted(word), what, most));
         return static_cast<std::size_t>(*count);
     }
 
     void split_body(const TextScanner& scanner) {
-        for (const std::string_view text : split_at_lines(scanner.rest(), kChunkBytes))
+        for (const std::string_view text : split_at_lines(scanner.rest()))
             chunks_.emplace_back().text = text;
-        for_each_chunk([](Chunk& chunk) {
+        for_each_chunk(chunks_, [](Chunk& chunk) {
             TextScanner lines(chunk.text, 0);
             for (; lines.find_word(); lines.finish_line()) ++chunk.content_lines;
             chunk.lines = lines.line();
@@ -122,17 +117,7 @@ private:
 
     void read_body() {
         mesh_.vertices.resize(header_.vertices);
-        for_each_chunk([this](Chunk& chunk) {
-            try {
-                read_chunk(chunk);
-            } catch (...) {
-                chunk.failure = std::current_exception();
-            }
-        });
-        // The first fault of the file, not the one that was found first.
-        for (const Chunk& chunk : chunks_) {
-            if (chunk.failure) std::rethrow_exception(chunk.failure);
-        }
+        for_each_chunk(chunks_, [this](Chunk& chunk) { read_chunk(chunk); });
     }
 
     void read_chunk(Chunk& chunk) {
@@ -224,29 +209,25 @@ private:
         for (Chunk& chunk : chunks_)
             chunk.first_face = std::exchange(count, count + chunk.faces.size());
         mesh_.faces.resize(count);
-        for_each_chunk([this](Chunk& chunk) {
+        for_each_chunk(chunks_, [this](Chunk& chunk) {
             std::copy(chunk.faces.begin(), chunk.faces.end(),
                       mesh_.faces.begin() + static_cast<std::ptrdiff_t>(chunk.first_face));
             std::vector<Vec3i>().swap(chunk.faces);
         });
     }
 
-    template <class Body>
-    void for_each_chunk(const Body& body) {
-        parallel_for(chunks_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) body(chunks_[i]);
-        });
-    }
-
     std::string name_;
-    MappedFile file_;
+    std::string_view text_;
+    Limits limits_;
     Header header_;
     std::vector<Chunk> chunks_;
-    TriangleMesh mesh_;
+    MeshData mesh_;
 };
 
 }  // namespace
 
-TriangleMesh read_off(const std::filesystem::path& path) { return OffReader(path).read(); }
+MeshData parse_off(const MeshSource& source, const ReadOptions& options) {
+    return OffReader(source, options.limits).read();
+}
 
 }  // namespace boxwood

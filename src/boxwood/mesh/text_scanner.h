@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace boxwood {
 
@@ -102,17 +101,6 @@ private:
     const char* end_;
     std::size_t line_;
 };
-
-/// The text in pieces of about the given size, cut only after line ends.
-inline std::vector<std::string_view> split_at_lines(std::string_view text, std::size_t size) {
-    std::vector<std::string_view> pieces;
-    while (!text.empty()) {
-        const std::size_t newline = text.size() > size ? text.find('\n', size) : text.npos;
-        pieces.push_back(text.substr(0, newline == text.npos ? newline : newline + 1));
-        text.remove_prefix(pieces.back().size());
-    }
-    return pieces;
-}
 
 /// The word as messages show it: in quotes, cut when long, without characters that might not print.
 inline std::string quoted(std::string_view word) {

@@ -51,7 +51,8 @@ void check_vertices(MeshView mesh) {
 
 }  // namespace
 
-void write_off(const std::filesystem::path& path, MeshView mesh) {
+void write_off(const std::filesystem::path& path, MeshView mesh,
+               const MeshAttributes& /* has no place for them */) {
     check_vertices(mesh);
     check_indices(mesh);
 
