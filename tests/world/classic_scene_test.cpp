@@ -370,6 +370,8 @@ TEST_F(ClassicScene, deep_nesting_is_reported_and_no_crash) {
         EXPECT_EQ(message_of(deep).find(":1: "), 0u);
     }
     std::string whole = std::string(100'000, '[') + std::string(100'000, ']');
+    EXPECT_EQ(message_of(whole), ":1: found a value in 257 others, expected at most 256");
+    whole = std::string(256, '[') + std::string(256, ']');
     EXPECT_EQ(message_of(whole), ":$: found an array of 1, expected an object");
 }
 

@@ -6,8 +6,9 @@
 #include <numbers>
 #include <vector>
 
+#include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/mesh_file.h"
-#include "boxwood/world/json_reader.h"
+#include "boxwood/core/json_reader.h"
 
 namespace boxwood {
 
@@ -94,7 +95,7 @@ void read_object(const JsonReader& json, const Folders& folders, World& world) {
 }  // namespace
 
 World read_classic_scene(const fs::path& path, const fs::path& data_folder) {
-    const JsonReader json = JsonReader::read_file(path);
+    const JsonReader json = JsonReader::parse(FileContent(path, {}).bytes(), path.string());
     json.expect_keys({"Scene", "Camera", "Materials", "Lights", "Objects"});
     json["Scene"].expect_keys({"Background", "Ambient"});
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parser is the library's. What it reports is put into our words, and with a line each time:
 // the library gives none for keys that repeat and numbers that overflow.
-#include "boxwood/world/parse_json.h"
+#include "boxwood/core/parse_json.h"
 
 #include <fmt/format.h>
 
@@ -59,7 +59,8 @@ private:
 
 class JsonParser {
 public:
-    JsonParser(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    JsonParser(std::string_view text, const std::string& file, std::uint64_t max_depth)
+        : text_(text), file_(file), max_depth_(max_depth) {}
 
     json parse() {
         // The library takes a zero byte for the end of the file.
@@ -69,7 +70,8 @@ public:
         at_ = begin;
         try {
             return json::parse(Cursor(begin, at_), Cursor(begin + text_.size(), at_),
-                               [this](int, json::parse_event_t event, json& parsed) {
+                               [this](int depth, json::parse_event_t event, json& parsed) {
+                                   check_depth(depth);
                                    check_keys(event, parsed);
                                    return true;
                                });
@@ -88,6 +90,12 @@ private:
 
     /// How many bytes the parser has read.
     std::size_t read() const { return static_cast<std::size_t>(at_ - text_.data()); }
+
+    void check_depth(int depth) const {
+        if (static_cast<std::uint64_t>(depth) > max_depth_)
+            fail(read() - 1, fmt::format("found a value in {} others, expected at most {}", depth,
+                                         max_depth_));
+    }
 
     /// JSON's own rule leaves open which of two equal keys counts, so neither does.
     void check_keys(json::parse_event_t event, const json& parsed) {
@@ -151,14 +159,15 @@ private:
 
     std::string_view text_;
     const std::string& file_;
+    std::uint64_t max_depth_;
     const char* at_ = nullptr;
     std::vector<std::set<std::string>> keys_;  ///< of the objects that are open
 };
 
 }  // namespace
 
-json parse_json(std::string_view text, const std::string& file) {
-    return JsonParser(text, file).parse();
+json parse_json(std::string_view text, const std::string& file, std::uint64_t max_depth) {
+    return JsonParser(text, file, max_depth).parse();
 }
 
 std::string description(const json& value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/world/json_reader.h"
+#include "boxwood/core/json_reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
-#include "boxwood/core/files.h"
-#include "boxwood/world/parse_json.h"
+#include "boxwood/core/parse_json.h"
 
 namespace boxwood {
 
@@ -23,26 +22,34 @@ JsonReader::JsonReader(std::shared_ptr<const json> document, const json* value, 
       file_(std::move(file)),
       path_(std::move(path)) {}
 
-JsonReader JsonReader::read_file(const std::filesystem::path& path) {
-    const MappedFile file(path);
-    auto document = std::make_shared<const json>(parse_json(file.text(), path.string()));
-    return {document, document.get(), path.string(), "$"};
+JsonReader JsonReader::parse(std::string_view text, const std::string& file,
+                             const Limits& limits) {
+    auto document = std::make_shared<const json>(parse_json(text, file, limits.max_depth));
+    return {document, document.get(), file, "$"};
 }
 
 JsonReader JsonReader::operator[](const std::string& key) const {
-    if (!value_->is_object()) fail("an object");
-    const auto found = value_->find(key);
-    if (found == value_->end()) fail(fmt::format("key '{}'", key));
-    return {document_, &*found, file_, path_ + "." + key};
+    if (auto found = find(key)) return *std::move(found);
+    fail(fmt::format("key '{}'", key));
 }
 
-void JsonReader::expect_keys(std::initializer_list<std::string_view> keys) const {
+std::optional<JsonReader> JsonReader::find(const std::string& key) const {
     if (!value_->is_object()) fail("an object");
+    const auto found = value_->find(key);
+    if (found == value_->end()) return std::nullopt;
+    return JsonReader(document_, &*found, file_, path_ + "." + key);
+}
+
+void JsonReader::expect_keys(std::initializer_list<std::string_view> keys,
+                             std::initializer_list<std::string_view> optional_keys) const {
+    if (!value_->is_object()) fail("an object");
+    std::vector<std::string_view> known(keys);
+    known.insert(known.end(), optional_keys);
     for (const auto& [key, value] : value_->items()) {
-        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        if (std::find(known.begin(), known.end(), key) == known.end())
             throw ParseError(file_, path_,
                              fmt::format("found unknown key {}, expected {}", description(key),
-                                         fmt::join(keys, ", ")));
+                                         fmt::join(known, ", ")));
     }
     for (const std::string_view key : keys) {
         if (!value_->contains(key))
@@ -57,6 +64,19 @@ std::vector<JsonReader> JsonReader::array() const {
         items.push_back({document_, &(*value_)[i], file_, fmt::format("{}[{}]", path_, i)});
     return items;
 }
+
+std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
+    if (!value_->is_object()) fail("an object");
+    std::vector<std::pair<std::string, JsonReader>> result;
+    for (const auto& [key, value] : value_->items())
+        result.emplace_back(key, JsonReader(document_, &value, file_, path_ + "." + key));
+    return result;
+}
+
+bool JsonReader::is_object() const { return value_->is_object(); }
+bool JsonReader::is_array() const { return value_->is_array(); }
+bool JsonReader::is_string() const { return value_->is_string(); }
+bool JsonReader::is_number() const { return value_->is_number(); }
 
 bool JsonReader::boolean() const {
     if (!value_->is_boolean()) fail("true or false");
@@ -79,15 +99,35 @@ double JsonReader::number_at_least(double limit) const {
     return number();
 }
 
+double JsonReader::number_within(double least, double most) const {
+    if (!(value_->is_number() && number() >= least && number() <= most))
+        fail(fmt::format("a number from {} to {}", least, most));
+    return number();
+}
+
+std::vector<double> JsonReader::numbers(std::size_t count) const {
+    if (!value_->is_array() || value_->size() != count)
+        fail(fmt::format("an array of {} numbers", count));
+    std::vector<double> result;
+    for (const JsonReader& item : array()) result.push_back(item.number());
+    return result;
+}
+
 Vec3d JsonReader::vec3() const {
-    if (!value_->is_array() || value_->size() != 3) fail("an array of 3 numbers");
-    const std::vector<JsonReader> items = array();
-    return {items[0].number(), items[1].number(), items[2].number()};
+    const std::vector<double> all = numbers(3);
+    return {all[0], all[1], all[2]};
 }
 
 std::string JsonReader::string() const {
     if (!value_->is_string()) fail("a string");
     return value_->get<std::string>();
+}
+
+std::uint64_t JsonReader::integer(std::uint64_t least, std::uint64_t most) const {
+    const bool in_range =
+        value_->is_number_integer() && *value_ >= 0 && *value_ >= least && *value_ <= most;
+    if (!in_range) fail(fmt::format("a whole number from {} to {}", least, most));
+    return value_->get<std::uint64_t>();
 }
 
 std::size_t JsonReader::index(std::size_t count) const {
