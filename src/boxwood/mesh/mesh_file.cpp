@@ -7,6 +7,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/file_content.h"
+#include "boxwood/mesh/gltf.h"
 #include "boxwood/mesh/off.h"
 
 namespace boxwood {
@@ -49,6 +50,8 @@ const MeshFormat* find_format(fs::path path) {
 
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
+        {".gltf", "glTF 2.0", parse_gltf, nullptr},
+        {".glb", "glTF 2.0, binary", parse_gltf, nullptr},
         {".off", "Object File Format", parse_off, write_off},
     };
     return kFormats;
