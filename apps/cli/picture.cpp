@@ -25,8 +25,8 @@ bool parse_size(const std::string& text, int& width, int& height) {
 }
 
 void warn_of_slow_builds(const World& world, const SceneOptions& options) {
-    for (const MeshObject& object : world.meshes) {
-        if (const auto warning = slow_build_warning(object.mesh.faces.size(), options))
+    for (const MeshData& mesh : world.meshes) {
+        if (const auto warning = slow_build_warning(mesh.faces.size(), options))
             fmt::print(stderr, "boxwood: warning: {}\n", *warning);
     }
 }

@@ -41,11 +41,11 @@ World small_world() {
                      {{-1.3, 0, 0}, 0.6, 0},
                      {{-1.3, 0.1, 0}, 0.6, 2},
                      {{-1.3, 0, 0}, 0.6, 2}};
-    world.meshes.push_back({generate_torus_knot(1200), 0});
-    world.meshes.push_back({generate_icosphere(320), 1});
-    world.meshes.push_back({moved(generate_terrain(300), 3, {0, 0, -3}), 2});
-    world.meshes.push_back({moved(flat_grid(6), 0.5, {-1.5, -1.5, -1}), 2});
-    world.meshes.push_back({moved(flat_grid(6), 0.5, {-1.5, -1.5, -1}), 0});
+    world.add_mesh(generate_torus_knot(1200), 0);
+    world.add_mesh(generate_icosphere(320), 1);
+    world.add_mesh(moved(generate_terrain(300), 3, {0, 0, -3}), 2);
+    world.add_mesh(moved(flat_grid(6), 0.5, {-1.5, -1.5, -1}), 2);
+    world.add_mesh(moved(flat_grid(6), 0.5, {-1.5, -1.5, -1}), 0);
     return world;
 }
 

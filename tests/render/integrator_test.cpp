@@ -27,7 +27,7 @@ World lit_square() {
                         .specular = {0.3, 0.3, 0.3},
                         .shininess = 8}};
     world.lights = {{{0, 0, 2}, {4, 4, 4}}};
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5.1, 0}), 0}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 0}), 0);
     return world;
 }
 const Ray kAtMiddle = {.origin = {3, 0, 4}, .direction = {-6, 0, -8}};
@@ -81,10 +81,10 @@ TEST(Whitted, sphere_between_light_and_surface_casts_a_shadow) {
 
 TEST(Whitted, mesh_between_light_and_surface_casts_a_shadow_but_not_one_behind_the_light) {
     World world = lit_square();
-    world.meshes.push_back({moved(flat_grid(1), 1, {-0.5, -0.4, 1}), 0});
+    world.add_mesh(moved(flat_grid(1), 1, {-0.5, -0.4, 1}), 0);
     EXPECT_TRUE(
         radiance(world, IntegratorKind::whitted, kAtMiddle).isApprox(Color(0.05, 0.1, 0.3), 1e-12));
-    world.meshes[1].mesh = moved(flat_grid(1), 1, {-0.5, -0.4, 2.5});
+    world.meshes[1].vertices = moved(flat_grid(1), 1, {-0.5, -0.4, 2.5}).vertices;
     EXPECT_TRUE(
         radiance(world, IntegratorKind::whitted, kAtMiddle).isApprox(expected_phong(), 1e-12));
 }
@@ -100,7 +100,7 @@ World mirror_world() {
 
 TEST(Whitted, flat_mirror_shows_what_is_opposite) {
     World world = mirror_world();
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5.1, 0}), 0}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 0}), 0);
     EXPECT_TRUE(radiance(world, IntegratorKind::whitted, kAtMiddle)
                     .isApprox(kSky.cwiseProduct(Color(0.5, 0.6, 0.7)), 1e-12));
     // The ray comes from x = 3 and is mirrored to x = -3.
@@ -122,8 +122,8 @@ TEST(Whitted, two_mirrors_bounce_until_the_limit) {
     World world = mirror_world();
     world.materials[0].mirror = Color::Constant(0.5);
     world.materials[0].ambient = Color::Ones();
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5.1, 0}), 0},
-                    {moved(flat_grid(1), 10, {-5, -5.1, 2}), 0}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 0}), 0);
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 2}), 0);
     const Ray ray = {.origin = {0.2, 0.1, 1}};
     double expected = 0;
     for (int bounces = 0; bounces <= 8; ++bounces) {
@@ -154,7 +154,7 @@ TEST(Whitted, glass_bends_by_snells_law) {
     // A ray enters a slab, modelled by one face, at 45 degrees; sin leaves divided by the index.
     World world = glass_world(1.5);
     world.spheres = {};
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5.1, 0}), 0}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 0}), 0);
     const double sine = std::sqrt(0.5) / 1.5;
     const Vec3d bent(sine, 0, -std::sqrt(1 - sine * sine));
     world.spheres = {{100 * bent, 0.01, 1}};
@@ -172,7 +172,7 @@ TEST(Whitted, glass_bends_by_snells_law) {
 TEST(Whitted, total_internal_reflection_mirrors) {
     World world = glass_world(1.5);
     world.spheres = {{{2, 0, -1}, 0.3, 1}};
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5.1, 0}), 0}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5.1, 0}), 0);
     // From below at a flat angle: back down on the sphere, though it is not a mirror.
     const Ray ray = {.origin = {-2, 0, -1}, .direction = {2, 0, 1}};
     EXPECT_TRUE(

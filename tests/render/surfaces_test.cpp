@@ -18,7 +18,7 @@ World sphere_before_wall() {
     World world;
     world.materials.resize(2);
     world.spheres = {{{0, 0, -5}, 1, 0}};
-    world.meshes = {{moved(flat_grid(1), 10, {-5, -5, -8}), 1}};
+    world.add_mesh(moved(flat_grid(1), 10, {-5, -5, -8}), 1);
     return world;
 }
 
@@ -74,7 +74,7 @@ TEST(Surfaces, rays_that_go_on_from_a_tilted_plane_do_not_hit_it_again) {
         const Vec3d v = n.cross(u), center = random.point(-100, 100);
         TriangleMesh mesh = flat_grid(8);
         for (Vec3d& p : mesh.vertices) p = center + (p.x() - 4) * u + (p.y() - 4) * v;
-        world.meshes = {{mesh, 0}};
+        world.add_mesh(mesh, 0);
         const Surfaces surfaces(world);
         for (int k = 0; k < 50; ++k) {
             const Vec3d origin = center + 20 * random.direction();

@@ -108,15 +108,15 @@ TEST_F(ClassicScene, every_value_arrives) {
     EXPECT_EQ(world.spheres[0].material, 1u);
 
     ASSERT_EQ(world.meshes.size(), 2u);
-    EXPECT_EQ(world.meshes[0].material, 0u);
-    EXPECT_EQ(world.meshes[0].mesh.faces.size(), 2u);
-    EXPECT_EQ(world.meshes[1].material, 1u);
-    EXPECT_EQ(world.meshes[1].mesh.vertices.size(), 3u);
+    EXPECT_EQ(world.objects[0].materials, std::vector<std::size_t>{0});
+    EXPECT_EQ(world.meshes[0].faces.size(), 2u);
+    EXPECT_EQ(world.objects[1].materials, std::vector<std::size_t>{1});
+    EXPECT_EQ(world.meshes[1].vertices.size(), 3u);
 }
 
 TEST_F(ClassicScene, parallelogram_spans_its_corners_and_faces_u_cross_v) {
     const World world = read(valid_scene());
-    const MeshView mesh = world.meshes[0].mesh;
+    const MeshView mesh = world.meshes[0];
     const Box3d box = bounds(mesh);
     EXPECT_EQ(box, (Box3d{Vec3d(1, 1, 1), Vec3d(3, 4, 1)}));
     for (std::size_t face = 0; face < 2; ++face)

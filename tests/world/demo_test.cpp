@@ -11,8 +11,8 @@ namespace {
 TEST(Demo, has_about_as_many_triangles_as_asked_for) {
     for (const std::size_t triangles : {10'000, 100'000}) {
         std::size_t found = 0;
-        for (const MeshObject& object : make_demo_world(triangles).meshes)
-            found += object.mesh.faces.size();
+        for (const MeshData& mesh : make_demo_world(triangles).meshes)
+            found += mesh.faces.size();
         EXPECT_NEAR(static_cast<double>(found), static_cast<double>(triangles), 0.25 * triangles);
     }
 }
@@ -20,9 +20,8 @@ TEST(Demo, has_about_as_many_triangles_as_asked_for) {
 TEST(Demo, materials_are_in_range_and_meshes_sound) {
     const World world = make_demo_world(5000);
     EXPECT_FALSE(world.lights.empty());
-    for (const MeshObject& object : world.meshes) {
-        EXPECT_LT(object.material, world.materials.size());
-        EXPECT_NO_THROW(check_indices(object.mesh));
+    for (const MeshData& mesh : world.meshes) {
+        EXPECT_NO_THROW(check_indices(mesh));
     }
     for (const Sphere& sphere : world.spheres) EXPECT_LT(sphere.material, world.materials.size());
 }

@@ -26,13 +26,4 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const World& wo
     return nullptr;
 }
 
-std::span<const Named<IntegratorKind>> integrators() {
-    static constexpr Named<IntegratorKind> kIntegrators[] = {
-        {"phong", IntegratorKind::phong},   {"whitted", IntegratorKind::whitted},
-        {"normal", IntegratorKind::normal}, {"depth", IntegratorKind::depth},
-        {"heat", IntegratorKind::heat},
-    };
-    return kIntegrators;
-}
-
 }  // namespace boxwood

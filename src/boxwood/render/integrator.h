@@ -5,14 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "boxwood/core/named.h"
 #include "boxwood/image/image.h"
 #include "boxwood/render/surfaces.h"
 #include "boxwood/world/world.h"
 
 namespace boxwood {
-
-enum class IntegratorKind { phong, whitted, normal, depth, heat };
 
 /// What a picture shows: turns each camera ray into a colour. One integrator a file.
 class Integrator {
@@ -32,6 +29,9 @@ public:
     /// Whether a pixel may be the mean of several rays.
     virtual bool can_average() const { return true; }
 
+    /// Whether what it measures is light, which a world's picture may want encoded.
+    virtual bool shows_light() const { return false; }
+
     /// What radiance() measured, turned into colours once all pixels are known.
     virtual void develop(ColorImage&) const {}
 };
@@ -39,7 +39,5 @@ public:
 /// The bounces limit how often whitted follows a ray. The arguments must outlive the integrator.
 std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, const World& world,
                                             const Surfaces& surfaces, int bounces);
-
-std::span<const Named<IntegratorKind>> integrators();
 
 }  // namespace boxwood

@@ -11,22 +11,23 @@ namespace boxwood {
 /// The unit direction from where the ray hits back along it.
 inline Vec3d towards_viewer(const Ray& ray) { return -ray.direction.normalized(); }
 
-/// What a surface shows of the light that is everywhere.
+/// What a surface shows of the light that is everywhere, and of its own.
 inline Color ambient_term(const World& world, const SurfaceHit& hit) {
-    return hit.material->ambient.cwiseProduct(world.ambient);
+    return hit.material->ambient.cwiseProduct(hit.color).cwiseProduct(world.ambient) + hit.emission;
 }
 
-/// What a surface sends to a viewer in that direction of the light that it gets from a point light:
+/// What a surface sends to a viewer in that direction of the light that it gets from a light:
 /// Phong's diffuse and specular terms.
-inline Color light_terms(const PointLight& light, const SurfaceHit& hit, const Vec3d& to_viewer) {
+inline Color light_terms(const Light& light, const SurfaceHit& hit, const Vec3d& to_viewer) {
     const Material& material = *hit.material;
-    const Vec3d towards = light.position - hit.point;
-    const Vec3d to_light = towards.normalized();
-    const Vec3d half = (to_light + to_viewer).normalized();
-    const double diffuse = std::max(to_light.dot(hit.normal), 0.0);
-    const double specular = std::pow(std::max(hit.normal.dot(half), 0.0), material.shininess);
-    return (material.diffuse * diffuse + material.specular * specular).cwiseProduct(light.color) /
-           towards.squaredNorm();
+    const LightAt at = light_at(light, hit.point);
+    const Vec3d half = (at.towards + to_viewer).normalized();
+    const Vec3d& normal = hit.shading_normal;
+    const double diffuse = std::max(at.towards.dot(normal), 0.0);
+    const double specular = std::pow(std::max(normal.dot(half), 0.0), material.shininess);
+    return (material.diffuse.cwiseProduct(hit.color) * diffuse + material.specular * specular)
+               .cwiseProduct(light.color) /
+           at.fall_off;
 }
 
 class PhongIntegrator : public Integrator {
@@ -34,9 +35,17 @@ public:
     PhongIntegrator(const World& world, const Surfaces& surfaces)
         : world_(world), surfaces_(surfaces) {}
 
-    std::vector<Color> radiances(std::span<const Ray> rays) const override;
+    std::vector<Color> radiances(std::span<const Ray> rays) const override {
+        return trace(rays, kMostLayers);
+    }
+    bool shows_light() const override { return true; }
 
 private:
+    /// Of what light shines through, one behind another.
+    static constexpr int kMostLayers = 16;
+
+    std::vector<Color> trace(std::span<const Ray> rays, int layers) const;
+
     const World& world_;
     const Surfaces& surfaces_;
 };

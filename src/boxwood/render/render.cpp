@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/image/srgb.h"
 #include "boxwood/render/sampler.h"
 
 namespace boxwood {
@@ -23,6 +24,7 @@ public:
         : camera_(world.camera),
           film_(camera_.film(options.width, options.height)),
           options_(options),
+          encoding_(world.picture.encoding),
           integrator_(make_integrator(options.integrator, world, surfaces, options.bounces)),
           image_(options.width, options.height, Color::Zero()) {
         uses_lens_ = integrator_->uses_lens() && options.samples > 1 && camera_.lens_radius > 0;
@@ -40,10 +42,15 @@ public:
             render_tile(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
         });
         integrator_->develop(image_);
+        if (integrator_->shows_light() && encoding_ == ColorEncoding::srgb) encode();
         return std::move(image_);
     }
 
 private:
+    void encode() {
+        for (Color& pixel : image_.pixels) pixel = pixel.unaryExpr(&linear_to_srgb);
+    }
+
     /// The rays of one sample go together, so that memory doesn't grow with the samples.
     void render_tile(int column, int row) {
         const int right = std::min((column + 1) * kTileSize, options_.width);
@@ -76,6 +83,7 @@ private:
     const Camera& camera_;
     const Film film_;
     const RenderOptions& options_;
+    const ColorEncoding encoding_;
     std::unique_ptr<Integrator> integrator_;
     ColorImage image_;
     bool uses_lens_ = false;

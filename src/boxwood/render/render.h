@@ -26,9 +26,9 @@ struct RenderOptions {
     const Cancellation* cancellation = nullptr;
 };
 
-/// The picture of a world in linear colour. The same bits for any number of threads and any way of
-/// finding hits. Throws InvalidInput on sizes, samples or bounces out of range, Cancelled when that
-/// is asked for.
+/// The picture of a world, in linear colour unless the world wants it encoded. The same bits for
+/// any number of threads and any way of finding hits. Throws InvalidInput on sizes, samples or
+/// bounces out of range, Cancelled when that is asked for.
 ColorImage render(const World& world, const Surfaces& surfaces, const RenderOptions& options = {});
 
 }  // namespace boxwood

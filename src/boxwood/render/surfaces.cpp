@@ -2,9 +2,12 @@
 #include "boxwood/render/surfaces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "boxwood/core/ray_sphere.h"
+#include "boxwood/render/surface_finish.h"
 
 namespace boxwood {
 
@@ -12,7 +15,15 @@ namespace {
 
 std::vector<SceneMesh> meshes_of(const World& world) {
     std::vector<SceneMesh> result;
-    for (const MeshObject& object : world.meshes) result.emplace_back(object.mesh);
+    for (const MeshData& mesh : world.meshes) result.emplace_back(mesh);
+    return result;
+}
+
+std::vector<Instance> instances_of(const World& world) {
+    std::vector<Instance> result;
+    for (const MeshObject& object : world.objects)
+        result.push_back(
+            {.mesh = static_cast<std::uint32_t>(object.mesh), .to_world = object.to_world});
     return result;
 }
 
@@ -35,8 +46,13 @@ Ray shortened_to(Ray ray, double t_max) {
 
 Surfaces::Surfaces(const World& world, const SceneOptions& options)
     : world_(world),
-      scene_(meshes_of(world), options),
-      sphere_tree_(build_tree(sphere_boxes(world))) {}
+      scene_(meshes_of(world), instances_of(world), options),
+      sphere_tree_(build_tree(sphere_boxes(world))) {
+    for (const Material& material : world.materials) {
+        has_unseen_places_ |= material.culls_back_faces || material.opacity_cutoff;
+        has_clear_places_ |= material.opacity_cutoff || material.blends || material.opacity < 1;
+    }
+}
 
 std::optional<double> Surfaces::intersect(const Ray& ray, std::uint32_t sphere,
                                           double t_max) const {
@@ -46,7 +62,7 @@ std::optional<double> Surfaces::intersect(const Ray& ray, std::uint32_t sphere,
 }
 
 TriangleId Surfaces::sphere_id(std::uint32_t sphere) const {
-    return {static_cast<std::uint32_t>(world_.meshes.size()), sphere};
+    return {static_cast<std::uint32_t>(world_.objects.size()), sphere};
 }
 
 std::optional<SurfaceHit> Surfaces::closest_hit(const Ray& ray, TraversalCounts* counts) const {
@@ -64,10 +80,14 @@ SurfaceHits Surfaces::closest_hits(std::span<const Ray> rays) const {
 }
 
 /// The hit on a mesh, or a closer one on a sphere.
-std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& on_mesh,
+std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& first_on_mesh,
                                                TraversalCounts* counts) const {
     if (!is_traceable(ray)) return std::nullopt;
-    double t = on_mesh.is_hit() ? on_mesh.t : ray.t_max;
+    Hit mesh_hit = first_on_mesh;
+    if (has_unseen_places_)
+        mesh_hit = first_that_stops(ray, mesh_hit,
+                                    [](const SurfaceFinish& finish) { return !finish.is_seen; });
+    double t = mesh_hit.is_hit() ? mesh_hit.t : ray.t_max;
     std::optional<std::uint32_t> closest_sphere;
     if (!sphere_tree_.is_empty()) {
         const auto visit = [&](std::uint32_t sphere, double t_max) {
@@ -75,7 +95,7 @@ std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& on_mes
             // Equal distances go to meshes, then to the first sphere.
             const bool wins =
                 found && (*found < t || (closest_sphere ? *found == t && sphere < *closest_sphere
-                                                        : !on_mesh.is_hit()));
+                                                        : !mesh_hit.is_hit()));
             if (!wins) return t_max;
             closest_sphere = sphere;
             return t = *found;
@@ -86,28 +106,65 @@ std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& on_mes
     if (closest_sphere) {
         const Sphere& sphere = world_.spheres[*closest_sphere];
         const Vec3d point = ray.at(t);
+        const Vec3d normal = (point - sphere.center).normalized();
+        const Material& material = world_.materials[sphere.material];
         return SurfaceHit{.t = t,
                           .point = point,
-                          .normal = (point - sphere.center).normalized(),
-                          .material = &world_.materials[sphere.material],
+                          .normal = normal,
+                          .shading_normal = normal,
+                          .material = &material,
+                          .emission = material.emission,
+                          .opacity = material.opacity,
                           .id = sphere_id(*closest_sphere)};
     }
-    if (!on_mesh.is_hit()) return std::nullopt;
-    const MeshObject& object = world_.meshes[on_mesh.instance];
-    return SurfaceHit{.t = t,
-                      .point = ray.at(t),
-                      .normal = geometric_normal(object.mesh, on_mesh.triangle),
-                      .material = &world_.materials[object.material],
-                      .id = {on_mesh.instance, on_mesh.triangle}};
+    if (!mesh_hit.is_hit()) return std::nullopt;
+    return on_mesh(ray, mesh_hit);
 }
 
-bool Surfaces::any_hit(const Ray& ray) const { return scene_.any_hit(ray) || hits_sphere(ray); }
+SurfaceHit Surfaces::on_mesh(const Ray& ray, const Hit& hit) const {
+    const SurfaceFinish finish = finish_at(world_, scene_, ray, hit);
+    return {.t = hit.t,
+            .point = ray.at(hit.t),
+            .normal = finish.normal,
+            .shading_normal = finish.shading_normal,
+            .material = finish.material,
+            .color = finish.color,
+            .emission = finish.emission,
+            .opacity = finish.opacity,
+            .id = {hit.instance, hit.triangle}};
+}
+
+/// The hit, or the first one behind it that the ray doesn't pass. Two triangles may lie in one
+/// place, so that the ray first looks for another one there before it goes on.
+template <class Passes>
+Hit Surfaces::first_that_stops(Ray ray, Hit hit, const Passes& passes) const {
+    while (hit.is_hit() && passes(finish_at(world_, scene_, ray, hit))) {
+        const bool is_second = ray.t_min == hit.t;
+        ray.t_min =
+            is_second ? std::nextafter(hit.t, std::numeric_limits<double>::infinity()) : hit.t;
+        ray.skip = {hit.instance, hit.triangle};
+        hit = scene_.closest_hit(ray).value_or(Hit{});
+    }
+    return hit;
+}
+
+/// Whether a shadow falls: something is hit that is there and isn't mostly clear.
+bool Surfaces::hits_mesh(const Ray& ray, bool is_hit) const {
+    if (!is_hit || !has_clear_places_) return is_hit;
+    const auto casts_none = [](const SurfaceFinish& finish) { return finish.opacity < 0.5; };
+    return first_that_stops(ray, scene_.closest_hit(ray).value_or(Hit{}), casts_none).is_hit();
+}
+
+bool Surfaces::any_hit(const Ray& ray) const {
+    return hits_mesh(ray, scene_.any_hit(ray)) || hits_sphere(ray);
+}
 
 std::vector<bool> Surfaces::any_hits(std::span<const Ray> rays) const {
     const auto on_meshes = std::make_unique<bool[]>(rays.size());
     scene_.any_hits(rays, {on_meshes.get(), rays.size()}, {.on_this_thread = true});
     std::vector<bool> hits(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = on_meshes[i] || hits_sphere(rays[i]);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        hits[i] = hits_mesh(rays[i], on_meshes[i]) || hits_sphere(rays[i]);
     return hits;
 }
 

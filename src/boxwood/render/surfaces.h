@@ -13,8 +13,12 @@ namespace boxwood {
 struct SurfaceHit {
     double t = 0;
     Vec3d point;
-    Vec3d normal;  ///< geometric, of unit length, towards the front
+    Vec3d normal;          ///< geometric, of unit length, towards the front
+    Vec3d shading_normal;  ///< that of the smooth surface which the mesh stands for, where known
     const Material* material = nullptr;
+    Color color = Color::Ones();     ///< that multiplies the material's ambient and diffuse
+    Color emission = Color::Zero();  ///< the light that it sends out itself
+    double opacity = 1;
     TriangleId id;
 
     /// A ray that goes on from here. It doesn't see the triangle that it starts on, and starts off
@@ -49,6 +53,10 @@ public:
 private:
     std::optional<SurfaceHit> closest_of(const Ray& ray, const Hit& on_mesh,
                                          TraversalCounts* counts = nullptr) const;
+    SurfaceHit on_mesh(const Ray& ray, const Hit& hit) const;
+    template <class Passes>
+    Hit first_that_stops(Ray ray, Hit hit, const Passes& passes) const;
+    bool hits_mesh(const Ray& ray, bool is_hit) const;
     bool hits_sphere(const Ray& ray) const;
     TriangleId sphere_id(std::uint32_t sphere) const;
     std::optional<double> intersect(const Ray& ray, std::uint32_t sphere, double t_max) const;
@@ -56,6 +64,8 @@ private:
     const World& world_;
     Scene scene_;
     Tree sphere_tree_;
+    bool has_unseen_places_ = false;  ///< that rays go through
+    bool has_clear_places_ = false;   ///< that cast no shadow
 };
 
 }  // namespace boxwood

@@ -6,22 +6,12 @@
 // Source: Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
 #include "boxwood/render/whitted.h"
 
+#include "boxwood/render/onward_rays.h"
 #include "boxwood/render/phong.h"
 
 namespace boxwood {
 
 namespace {
-
-/// Rays that leave the points where others hit, with the places of those.
-struct RaysFrom {
-    std::vector<Ray> rays;
-    std::vector<std::size_t> places;
-
-    void add(const Ray& ray, std::size_t place) {
-        rays.push_back(ray);
-        places.push_back(place);
-    }
-};
 
 /// The direction that mirrors the one to the viewer.
 Vec3d reflected(const Vec3d& to_viewer, const Vec3d& normal) {
@@ -47,40 +37,46 @@ std::vector<Color> WhittedIntegrator::trace(std::span<const Ray> rays, int bounc
     std::vector<Color> colors(rays.size(), world_.background);
     for (std::size_t i = 0; i < rays.size(); ++i)
         if (hits[i]) colors[i] = ambient_term(world_, *hits[i]);
-    for (const PointLight& light : world_.lights) add_light(light, rays, hits, colors);
+    for (const Light& light : world_.lights) add_light(light, rays, hits, colors);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (hits[i]) colors[i] *= hits[i]->opacity;
     if (bounces == 0) return colors;
 
-    const auto follow = [&](Color Material::*part, const auto& direction_of) {
-        RaysFrom onward;
+    const auto follow = [&](const auto& part_of, const auto& direction_of) {
+        OnwardRays onward;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!hits[i] || (hits[i]->material->*part).isZero(0)) continue;
+            if (!hits[i] || part_of(*hits[i]).isZero(0)) continue;
             const Vec3d direction = direction_of(towards_viewer(rays[i]), *hits[i]);
             onward.add(hits[i]->ray_towards(direction), i);
         }
-        if (onward.rays.empty()) return;
+        if (onward.is_empty()) return;
         const std::vector<Color> seen = trace(onward.rays, bounces - 1);
         for (std::size_t k = 0; k < seen.size(); ++k) {
             const std::size_t i = onward.places[k];
-            colors[i] += (hits[i]->material->*part).cwiseProduct(seen[k]);
+            colors[i] += part_of(*hits[i]).cwiseProduct(seen[k]);
         }
     };
-    follow(&Material::mirror, [](const Vec3d& to_viewer, const SurfaceHit& hit) {
-        return reflected(to_viewer, hit.normal);
-    });
-    follow(&Material::refraction, [](const Vec3d& to_viewer, const SurfaceHit& hit) {
-        return refracted(to_viewer, hit.normal, hit.material->refraction_index);
-    });
+    follow([](const SurfaceHit& hit) -> Color { return hit.opacity * hit.material->mirror; },
+           [](const Vec3d& to_viewer, const SurfaceHit& hit) {
+               return reflected(to_viewer, hit.shading_normal);
+           });
+    follow([](const SurfaceHit& hit) -> Color { return hit.opacity * hit.material->refraction; },
+           [](const Vec3d& to_viewer, const SurfaceHit& hit) {
+               return refracted(to_viewer, hit.normal, hit.material->refraction_index);
+           });
+    follow([](const SurfaceHit& hit) -> Color { return Color::Constant(1 - hit.opacity); },
+           [](const Vec3d& to_viewer, const SurfaceHit&) -> Vec3d { return -to_viewer; });
     return colors;
 }
 
-void WhittedIntegrator::add_light(const PointLight& light, std::span<const Ray> rays,
+void WhittedIntegrator::add_light(const Light& light, std::span<const Ray> rays,
                                   const SurfaceHits& hits, std::vector<Color>& colors) const {
-    RaysFrom shadow;
+    OnwardRays shadow;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i]) continue;
-        const Vec3d towards = light.position - hits[i]->point;
-        Ray ray = hits[i]->ray_towards(towards.normalized());
-        ray.t_max = towards.norm();
+        const LightAt at = light_at(light, hits[i]->point);
+        Ray ray = hits[i]->ray_towards(at.towards);
+        ray.t_max = at.distance;
         shadow.add(ray, i);
     }
     const std::vector<bool> is_hidden = surfaces_.any_hits(shadow.rays);

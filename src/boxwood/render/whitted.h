@@ -14,11 +14,12 @@ public:
         return trace(rays, bounces_);
     }
     bool uses_lens() const override { return true; }
+    bool shows_light() const override { return true; }
 
 private:
     std::vector<Color> trace(std::span<const Ray> rays, int bounces) const;
     /// Adds the light's part at each hit that it isn't hidden from.
-    void add_light(const PointLight& light, std::span<const Ray> rays, const SurfaceHits& hits,
+    void add_light(const Light& light, std::span<const Ray> rays, const SurfaceHits& hits,
                    std::vector<Color>& colors) const;
 
     const World& world_;

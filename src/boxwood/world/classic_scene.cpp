@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "boxwood/core/json_reader.h"
 #include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/mesh_file.h"
-#include "boxwood/core/json_reader.h"
 
 namespace boxwood {
 
@@ -46,12 +47,12 @@ Material read_material(const JsonReader& json) {
             .shininess = json["Shininess"].number_at_least(0)};
 }
 
-PointLight read_light(const JsonReader& json) {
+Light read_light(const JsonReader& json) {
     json.expect_keys({"Position", "Color"});
     return {.position = json["Position"].vec3(), .color = json["Color"].vec3()};
 }
 
-TriangleMesh read_mesh_of(const JsonReader& json, const Folders& folders) {
+MeshData read_mesh_of(const JsonReader& json, const Folders& folders) {
     const std::string name = json["Path"].string();
     std::vector<fs::path> places = {folders.scene / name};
     if (!folders.data.empty()) places.push_back(folders.data / name);
@@ -80,13 +81,15 @@ void read_object(const JsonReader& json, const Folders& folders, World& world) {
                                  .material = material()});
     } else if (type == "Parallelogram") {
         json.expect_keys({"Type", "Material", "Origin", "U", "V"});
-        world.meshes.push_back(
-            {make_parallelogram(json["Origin"].vec3(), json["U"].vec3(), json["V"].vec3()),
-             material()});
+        world.add_mesh(
+            make_parallelogram(json["Origin"].vec3(), json["U"].vec3(), json["V"].vec3()),
+            material());
     } else if (type == "Mesh") {
         json.expect_keys({"Type", "Material", "Path"});
         const std::size_t index = material();
-        world.meshes.push_back({read_mesh_of(json, folders), index});
+        MeshData mesh = read_mesh_of(json, folders);
+        world.warnings.append(mesh.warnings);
+        world.add_mesh(std::move(mesh), index);
     } else {
         json["Type"].fail("\"Sphere\", \"Parallelogram\" or \"Mesh\"");
     }

@@ -63,13 +63,15 @@ World make_demo_world(std::size_t triangles) {
                     {.position = {-6, 5, 3}, .color = Color(0.7, 0.8, 1.0) * 22}};
 
     const Vec3d ones = Vec3d::Ones();
-    world.meshes = {
-        {moved(generate_gyroid(triangles / 2), 0.78 * ones, {-1.25, 0.78, 0}), 0},
-        {moved(with_y_up(generate_torus_knot(triangles / 4)), 0.85 * ones, {1.3, 0.62, -0.1}), 1},
-        {moved(with_y_up(generate_terrain(triangles / 4)), {14, 3.2, 5}, {0, -0.1, -12}), 5},
-        {{.vertices = {{-30, 0, 12}, {30, 0, 12}, {30, 0, -14}, {-30, 0, -14}},
-          .faces = {{0, 1, 2}, {0, 2, 3}}},
-         4}};
+    world.add_mesh(moved(generate_gyroid(triangles / 2), 0.78 * ones, {-1.25, 0.78, 0}), 0);
+    world.add_mesh(
+        moved(with_y_up(generate_torus_knot(triangles / 4)), 0.85 * ones, {1.3, 0.62, -0.1}), 1);
+    world.add_mesh(moved(with_y_up(generate_terrain(triangles / 4)), {14, 3.2, 5}, {0, -0.1, -12}),
+                   5);
+    world.add_mesh(
+        TriangleMesh{.vertices = {{-30, 0, 12}, {30, 0, 12}, {30, 0, -14}, {-30, 0, -14}},
+                     .faces = {{0, 1, 2}, {0, 2, 3}}},
+        4);
     world.spheres = {{.center = {0.12, 0.42, 0.75}, .radius = 0.42, .material = 3},
                      {.center = {0.1, 0.5, -1.1}, .radius = 0.5, .material = 2}};
     return world;

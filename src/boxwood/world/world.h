@@ -2,33 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "boxwood/core/vec.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/core/warnings.h"
+#include "boxwood/mesh/mesh_data.h"
+#include "boxwood/mesh/placement.h"
 #include "boxwood/world/camera.h"
+#include "boxwood/world/color.h"
+#include "boxwood/world/light.h"
+#include "boxwood/world/material.h"
+#include "boxwood/world/picture_settings.h"
+#include "boxwood/world/texture.h"
 
 namespace boxwood {
-
-/// Linear RGB.
-using Color = Vec3d;
-
-/// How a surface answers light, as in the assignment: Phong's terms plus mirror and refraction.
-struct Material {
-    Color ambient = Color::Zero();
-    Color diffuse = Color::Zero();
-    Color specular = Color::Zero();
-    Color mirror = Color::Zero();
-    Color refraction = Color::Zero();
-    double refraction_index = 1;
-    double shininess = 0;
-};
-
-/// A point light; what arrives at distance d is color / d^2.
-struct PointLight {
-    Vec3d position = Vec3d::Zero();
-    Color color = Color::Zero();
-};
 
 struct Sphere {
     Vec3d center = Vec3d::Zero();
@@ -36,20 +24,36 @@ struct Sphere {
     std::size_t material = 0;
 };
 
+/// A mesh of the world, as it stands there and what it is made of.
 struct MeshObject {
-    TriangleMesh mesh;
-    std::size_t material = 0;
+    std::size_t mesh = 0;
+    /// One for all of it, or one for each of the mesh's material labels.
+    std::vector<std::size_t> materials = {0};
+    AffineMap to_world = AffineMap::Identity();
 };
 
-/// Everything that a picture shows. Material indices are in range.
+/// Everything that a picture shows. Indices are in range.
 struct World {
     Color background = Color::Zero();
     Color ambient = Color::Zero();
     Camera camera;
     std::vector<Material> materials;
-    std::vector<PointLight> lights;
+    std::vector<Texture> textures;
+    std::vector<Light> lights;
     std::vector<Sphere> spheres;
-    std::vector<MeshObject> meshes;
+    std::vector<MeshData> meshes;
+    std::vector<MeshObject> objects;
+    PictureSettings picture;
+    Warnings warnings;
+
+    /// Adds a mesh and an object of it, where it is.
+    void add_mesh(MeshData mesh, std::size_t material) {
+        objects.push_back({.mesh = meshes.size(), .materials = {material}});
+        meshes.push_back(std::move(mesh));
+    }
+    void add_mesh(TriangleMesh mesh, std::size_t material) {
+        add_mesh(MeshData{std::move(mesh), {}, {}}, material);
+    }
 };
 
 }  // namespace boxwood
