@@ -51,6 +51,15 @@ Value value_of(std::span<const Named<Value>> choices, const std::string& name) {
     refuse_name(name);
 }
 
+/// The name of a value that stands in the table.
+template <class Value>
+std::string_view name_of(std::span<const Named<Value>> choices, const Value& value) {
+    for (const auto& choice : choices) {
+        if (choice.value == value) return choice.name;
+    }
+    return {};
+}
+
 /// A mesh file, or a generated shape as SHAPE:COUNT, such as gyroid:100k.
 TriangleMesh load_mesh(const std::string& argument);
 

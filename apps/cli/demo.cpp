@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "boxwood/core/parallel.h"
 #include "cli/commands.h"
@@ -17,8 +18,8 @@ void run(const PictureOptions& options) {
     const ThreadLimit limit(options.threads);
     check_output(options);
     Stopwatch stopwatch;
-    const World world = make_demo_world();
-    make_picture(world, options, stopwatch.lap());
+    World world = make_demo_world();
+    make_picture(std::move(world), options, stopwatch.lap());
 }
 
 }  // namespace
@@ -27,10 +28,6 @@ void add_demo(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("demo", "Render the built-in scene, which needs no file");
     auto options = std::make_shared<PictureOptions>();
-    options->width = 960;
-    options->height = 540;
-    options->integrator = "whitted";
-    options->samples = 16;
     add_picture_options(*command, *options);
     command->footer("Example:\n  boxwood demo --size 1920x1080 --samples 64 -o demo.png");
     command->callback([options] { run(*options); });

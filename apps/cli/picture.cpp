@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <tuple>
 
 #include "boxwood/image/png.h"
 #include "boxwood/render/render.h"
@@ -40,45 +41,57 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         .add_option_function<std::string>(
             "--size",
             [&options](const std::string& text) {
-                if (!parse_size(text, options.width, options.height))
+                int width = 0, height = 0;
+                if (!parse_size(text, width, height))
                     throw CLI::ValidationError(
                         "--size", "found '" + text + "', expected WIDTHxHEIGHT, up to 2^28 pixels");
+                options.size = {width, height};
             },
-            "pixels of the picture")
-        ->default_str(fmt::format("{}x{}", options.width, options.height));
+            "pixels of the picture [default: what the scene says, else 640x480]")
+        ->option_text("WIDTHxHEIGHT");
     command.add_option("--integrator", options.integrator, "what the picture shows")
-        ->check(CLI::IsMember(names(integrators())))
-        ->capture_default_str();
+        ->check(CLI::IsMember(names(integrators())));
     command.add_option("--accelerator", options.accelerator.name, "how hits are found")
         ->check(CLI::IsMember(accelerator_names()))
         ->capture_default_str();
     add_cost(command, options.accelerator.cost);
     add_threads(command, options.threads);
     command
-        .add_option("--samples", options.samples, "rays a pixel, for depth of field with whitted")
-        ->check(CLI::Range(1, 65536))
-        ->capture_default_str();
-    command.add_option("--seed", options.seed, "of the samples' places")->capture_default_str();
+        .add_option("--samples", options.samples,
+                    "rays a pixel, for smooth edges, and for depth of field with whitted")
+        ->check(CLI::Range(1, 65536));
+    command.add_option("--seed", options.seed, "of the samples' places");
     command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
 void check_output(const PictureOptions& options) { check_png_path(options.output); }
 
-void make_picture(const World& world, const PictureOptions& options, double load_seconds) {
-    const IntegratorKind integrator = value_of(integrators(), options.integrator);
+PictureSettings PictureOptions::applied_to(const PictureSettings& settings) const {
+    PictureSettings result = settings;
+    if (size) std::tie(result.width, result.height) = *size;
+    if (integrator) result.integrator = value_of(integrators(), *integrator);
+    if (samples) result.samples = *samples;
+    if (seed) result.seed = *seed;
+    return result;
+}
+
+void make_picture(World world, const PictureOptions& options, double load_seconds) {
+    world.picture = options.applied_to(world.picture);
+    const PictureSettings& picture = world.picture;
     SceneOptions scene_options = options.accelerator.scene_options();
-    scene_options.keep_trees = integrator == IntegratorKind::heat;
+    scene_options.keep_trees = picture.integrator == IntegratorKind::heat;
     if (!options.quiet) warn_of_slow_builds(world, scene_options);
 
     Stopwatch stopwatch;
     const Surfaces surfaces(world, scene_options);
     const double build_seconds = stopwatch.lap();
 
-    RenderOptions render_options = {.width = options.width,
-                                    .height = options.height,
-                                    .integrator = integrator,
-                                    .samples = options.samples,
-                                    .seed = options.seed};
+    RenderOptions render_options = {.width = picture.width,
+                                    .height = picture.height,
+                                    .integrator = picture.integrator,
+                                    .samples = picture.samples,
+                                    .seed = picture.seed,
+                                    .bounces = picture.bounces};
     ColorImage image;
     {
         ProgressBar bar(options.quiet);
@@ -89,7 +102,8 @@ void make_picture(const World& world, const PictureOptions& options, double load
     write_png(options.output, to_rgba8(image));
     if (!options.quiet)
         fmt::print("{}: {}x{} {} in {:.3f} s (load {:.3f} s, build {:.3f} s, render {:.3f} s)\n",
-                   options.output, options.width, options.height, options.integrator,
+                   options.output, picture.width, picture.height,
+                   name_of(integrators(), picture.integrator),
                    load_seconds + build_seconds + render_seconds + stopwatch.lap(), load_seconds,
                    build_seconds, render_seconds);
 }

@@ -24,13 +24,15 @@ struct Warning {
 /// first came. Memory doesn't grow with the faults.
 class Warnings {
 public:
-    /// The place and what it holds are told as ParseError tells them.
+    /// The place and what it holds are told as ParseError tells them; without a file, by the
+    /// message alone.
     void add(const std::string& kind, const std::string& file, const std::string& place,
              const std::string& message) {
         Warning& warning = of_kind(kind);
         if (warning.count++ < Warning::kShown)
             warning.shown.push_back(
-                one_line(file + (place.empty() ? "" : ":" + place) + ": " + shortened(message)));
+                one_line((file.empty() ? "" : file + (place.empty() ? "" : ":" + place) + ": ") +
+                         shortened(message)));
     }
     void add(const std::string& kind, const std::string& file, std::size_t line,
              const std::string& message) {

@@ -35,15 +35,24 @@ void check_png_path(const std::filesystem::path& path) { const OutputFile trial(
 
 Rgba8Image read_png(const std::filesystem::path& path) {
     const MappedFile file(path);
+    return parse_png(file.text(), path.string());
+}
+
+Rgba8Image parse_png(std::string_view bytes, const std::string& name) {
     png_image header = {};
     header.version = PNG_IMAGE_VERSION;
     const auto fail = [&] {
         const std::string message = header.message;
         png_image_free(&header);
-        throw ParseError(path.string(), "", "not a readable PNG: " + message);
+        throw ParseError(name, "", "not a readable PNG: " + message);
     };
-    if (!png_image_begin_read_from_memory(&header, file.text().data(), file.text().size())) fail();
+    if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size())) fail();
     header.format = PNG_FORMAT_RGBA;
+    if (header.width > 1 << 28 || header.height > 1 << 28 ||
+        !is_image_size(static_cast<int>(header.width), static_cast<int>(header.height))) {
+        png_image_free(&header);
+        throw ParseError(name, "", "found a picture beyond 2^28 pixels, expected a smaller one");
+    }
     Rgba8Image image(static_cast<int>(header.width), static_cast<int>(header.height), {});
     if (!png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr)) fail();
     return image;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "boxwood/image/image.h"
 
@@ -14,7 +16,11 @@ void write_png(const std::filesystem::path& path, const Rgba8Image& image);
 /// asked before a long rendering.
 void check_png_path(const std::filesystem::path& path);
 
-/// Reads a PNG of any kind as 8-bit RGBA. Throws IoError, and ParseError when it isn't one.
+/// The picture in the content of a PNG file of any kind, as 8-bit RGBA. The name stands for the
+/// file in messages. Throws ParseError.
+Rgba8Image parse_png(std::string_view bytes, const std::string& name);
+
+/// The same for a file. Throws IoError, too.
 Rgba8Image read_png(const std::filesystem::path& path);
 
 }  // namespace boxwood

@@ -28,6 +28,8 @@ Material matte(const Color& color) {
 
 World make_demo_world(std::size_t triangles) {
     World world;
+    world.picture = {
+        .width = 960, .height = 540, .integrator = IntegratorKind::whitted, .samples = 16};
     world.background = {0.62, 0.74, 0.88};
     world.ambient = {0.26, 0.29, 0.34};
     world.camera.look_at({0.4, 1.5, 5.6}, {0, 0.62, 0});

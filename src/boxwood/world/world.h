@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,11 +34,19 @@ struct MeshObject {
     AffineMap to_world = AffineMap::Identity();
 };
 
+/// A camera that a file offers.
+struct NamedCamera {
+    std::string name = {};
+    Camera camera = {};
+    double aspect = 4.0 / 3;  ///< of the pictures it takes: width over height
+};
+
 /// Everything that a picture shows. Indices are in range.
 struct World {
     Color background = Color::Zero();
     Color ambient = Color::Zero();
     Camera camera;
+    std::vector<NamedCamera> cameras;  ///< to choose from, if there is a choice
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Light> lights;
@@ -55,5 +65,12 @@ struct World {
         add_mesh(MeshData{std::move(mesh), {}, {}}, material);
     }
 };
+
+/// Makes one of its cameras the world's, with a picture of its shape and of the height that it has.
+inline void use_camera(World& world, std::size_t i) {
+    const NamedCamera& chosen = world.cameras.at(i);
+    world.camera = chosen.camera;
+    world.picture.width = std::max(1, static_cast<int>(world.picture.height * chosen.aspect + 0.5));
+}
 
 }  // namespace boxwood
