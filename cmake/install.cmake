@@ -7,7 +7,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxwood)
 install(TARGETS boxwood EXPORT boxwood-targets)
 # These need nlohmann_json and fast_float, which users of the package don't.
 install(DIRECTORY src/boxwood DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.h" PATTERN json_reader.h EXCLUDE PATTERN text_scanner.h EXCLUDE)
+    FILES_MATCHING PATTERN "*.h" PATTERN parse_json.h EXCLUDE PATTERN text_scanner.h EXCLUDE)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/boxwood)
 install(EXPORT boxwood-targets NAMESPACE boxwood:: DESTINATION ${package_dir})
 

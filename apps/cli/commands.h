@@ -11,5 +11,6 @@ void add_demo(CLI::App& app);
 void add_info(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_convert(CLI::App& app);
+void add_scene(CLI::App& app);
 
 }  // namespace boxwood::cli

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     boxwood::cli::add_info(app);
     boxwood::cli::add_bench(app);
     boxwood::cli::add_convert(app);
+    boxwood::cli::add_scene(app);
     try {
         app.parse(argc, argv);
         return 0;

@@ -66,7 +66,7 @@ void add_render(CLI::App& app) {
                       "let files name others outside their own folder");
     add_picture_options(*command, arguments->picture);
     command->footer(
-        "Examples:\n"
+        "Example:\n"
         "  boxwood render dragon.ply -o dragon.png\n"
         "  boxwood render scene.json --integrator whitted --samples 16 -o picture.png");
     command->callback([arguments] { run(*arguments); });

@@ -8,7 +8,7 @@
 
 #include "boxwood/image/png.h"
 #include "boxwood/render/render.h"
-#include "boxwood/world/classic_scene.h"
+#include "boxwood/world/read_world.h"
 #include "laws/accelerators.h"
 
 namespace boxwood {
@@ -24,7 +24,7 @@ protected:
 
     /// Pixels in which our picture and the reference differ.
     int differing_pixels(IntegratorKind integrator, const char* reference_name) const {
-        const World world = read_classic_scene(folder_ / "scene_bunny.json");
+        const World world = read_world(folder_ / "scene_bunny.json");
         const Surfaces surfaces(world, GetParam().options);
         const Rgba8Image ours = to_rgba8(render(world, surfaces, {.integrator = integrator}));
         const Rgba8Image reference = read_png(folder_ / reference_name);

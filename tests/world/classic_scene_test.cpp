@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/world/classic_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/world/read_world.h"
 #include "temp_dir.h"
 
 namespace boxwood {
@@ -48,7 +47,7 @@ protected:
 
     World read(const json& scene) const { return read_text(scene.dump(2)); }
     World read_text(const std::string& text) const {
-        return read_classic_scene(dir_.write("scene.json", text));
+        return read_world(dir_.write("scene.json", text));
     }
 
     /// The message of what reading throws, less the file's name.
@@ -140,8 +139,8 @@ TEST_F(ClassicScene, meshes_are_looked_up_beside_the_scene_then_in_the_data_fold
     json scene = valid_scene();
     scene["Objects"][1] = {{"Type", "Mesh"}, {"Material", 0}, {"Path", "other.off"}};
     const fs::path path = dir_.write("scene.json", scene.dump());
-    EXPECT_THROW(read_classic_scene(path), ParseError);
-    EXPECT_EQ(read_classic_scene(path, data.path()).meshes.size(), 2u);
+    EXPECT_THROW(read_world(path), ParseError);
+    EXPECT_EQ(read_world(path, {.data_folder = data.path()}).meshes.size(), 2u);
 
     scene["Objects"][1]["Path"] = (data / "other.off").string();
     EXPECT_EQ(read(scene).meshes.size(), 2u) << "absolute";
@@ -376,8 +375,9 @@ TEST_F(ClassicScene, deep_nesting_is_reported_and_no_crash) {
 }
 
 TEST_F(ClassicScene, missing_files_and_directories_are_io_errors) {
-    EXPECT_THROW(read_classic_scene(dir_ / "missing.json"), IoError);
-    EXPECT_THROW(read_classic_scene(dir_.path()), IoError);
+    EXPECT_THROW(read_world(dir_ / "missing.json"), IoError);
+    std::filesystem::create_directory(dir_ / "folder.json");
+    EXPECT_THROW(read_world(dir_ / "folder.json"), IoError);
 }
 
 TEST_F(ClassicScene, faults_of_mesh_files_are_those_of_their_reader) {

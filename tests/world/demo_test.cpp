@@ -11,8 +11,7 @@ namespace {
 TEST(Demo, has_about_as_many_triangles_as_asked_for) {
     for (const std::size_t triangles : {10'000, 100'000}) {
         std::size_t found = 0;
-        for (const MeshData& mesh : make_demo_world(triangles).meshes)
-            found += mesh.faces.size();
+        for (const MeshData& mesh : make_demo_world(triangles).meshes) found += mesh.faces.size();
         EXPECT_NEAR(static_cast<double>(found), static_cast<double>(triangles), 0.25 * triangles);
     }
 }

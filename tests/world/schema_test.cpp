@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
-#include "boxwood/world/classic_scene.h"
+#include "boxwood/world/read_world.h"
 #include "temp_dir.h"
 
 namespace boxwood {
@@ -47,7 +47,7 @@ public:
         // Some file systems wait for the disk when a file is written over.
         fs::remove(folder_ / "scene.json");
         try {
-            read_classic_scene(folder_.write("scene.json", scene.dump()));
+            read_world(folder_.write("scene.json", scene.dump()));
             return true;
         } catch (const ParseError&) {
             return false;
@@ -120,7 +120,7 @@ TEST(Schema, shipped_examples_are_valid) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "examples")) {
         if (entry.path().extension() != ".json") continue;
         EXPECT_TRUE(schema_accepts(read_json(entry.path()))) << entry.path();
-        EXPECT_NO_THROW(read_classic_scene(entry.path())) << entry.path();
+        EXPECT_NO_THROW(read_world(entry.path())) << entry.path();
         ++scenes;
     }
     EXPECT_GT(scenes, 0u);

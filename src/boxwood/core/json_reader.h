@@ -3,7 +3,6 @@
 
 #include <initializer_list>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,9 +27,7 @@ public:
     /// The same, or nothing when there is no such key.
     std::optional<JsonReader> find(const std::string& key) const;
     /// Demands an object with exactly these keys.
-    void expect_keys(std::initializer_list<std::string_view> keys) const {
-        expect_keys(keys, {});
-    }
+    void expect_keys(std::initializer_list<std::string_view> keys) const { expect_keys(keys, {}); }
     /// Demands an object with these keys, and no others but the optional ones.
     void expect_keys(std::initializer_list<std::string_view> keys,
                      std::initializer_list<std::string_view> optional_keys) const;
@@ -60,15 +57,32 @@ public:
     const std::string& file() const { return file_; }
     const std::string& path() const { return path_; }
 
+    /// The value whose name this string is, in a table of Named values.
+    template <class Table>
+    auto choice(const Table& table) const {
+        const std::string name = string();
+        std::string names;
+        for (const auto& [known, value] : table) {
+            if (known == name) return value;
+            names += (names.empty() ? "" : ", ") + std::string(known);
+        }
+        fail("one of " + names);
+    }
+
     /// Throws the ParseError that says what was found here, and what was expected instead.
     [[noreturn]] void fail(const std::string& expected) const;
 
 private:
-    JsonReader(std::shared_ptr<const nlohmann::json> document, const nlohmann::json* value,
-               std::string file, std::string path);
+    /// The document and the value in it are those of the JSON library, which stays out of headers.
+    JsonReader(std::shared_ptr<const void> document, const void* value, std::string file,
+               std::string path)
+        : document_(std::move(document)),
+          value_(value),
+          file_(std::move(file)),
+          path_(std::move(path)) {}
 
-    std::shared_ptr<const nlohmann::json> document_;
-    const nlohmann::json* value_;
+    std::shared_ptr<const void> document_;
+    const void* value_;
     std::string file_;
     std::string path_;
 };

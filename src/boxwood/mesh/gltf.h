@@ -14,4 +14,11 @@ namespace boxwood {
 /// that it names, and ParseError with the JSON path, what was found and what was expected.
 MeshData parse_gltf(const MeshSource& source, const ReadOptions& options = {});
 
+/// Writes a .glb, or a .gltf with its data inside. Positions, normals, texture coordinates and
+/// colors become those of vertices in float; vertices whose corners differ in them are split. A
+/// primitive is made for each run of faces with one material, of which the name is kept. Throws
+/// IoError, and InvalidInput on more data than a .glb can hold.
+void write_glb(const std::filesystem::path& path, MeshView mesh, const MeshAttributes& attributes);
+void write_gltf(const std::filesystem::path& path, MeshView mesh, const MeshAttributes& attributes);
+
 }  // namespace boxwood

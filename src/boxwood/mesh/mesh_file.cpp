@@ -50,8 +50,8 @@ const MeshFormat* find_format(fs::path path) {
 
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
-        {".gltf", "glTF 2.0", parse_gltf, nullptr},
-        {".glb", "glTF 2.0, binary", parse_gltf, nullptr},
+        {".gltf", "glTF 2.0", parse_gltf, write_gltf},
+        {".glb", "glTF 2.0, binary", parse_gltf, write_glb},
         {".off", "Object File Format", parse_off, write_off},
     };
     return kFormats;

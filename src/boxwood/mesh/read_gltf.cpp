@@ -15,6 +15,16 @@ namespace boxwood {
 
 namespace {
 
+/// Normals go by the inverse transpose; cofactors are that, times the determinant.
+MeshValues<Vec3f> moved(MeshValues<Vec3f> normals, const AffineMap& to_world) {
+    const Eigen::Matrix3d m = to_world.linear();
+    Eigen::Matrix3d cofactors;
+    cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
+    if (m.determinant() < 0) cofactors = -cofactors;
+    for (Vec3f& n : normals.values) n = (cofactors * n.cast<double>()).normalized().cast<float>();
+    return normals;
+}
+
 /// Puts meshes, where they stand, one behind another.
 class Assembly {
 public:
@@ -35,7 +45,7 @@ public:
         const bool is_mirrored = to_world.linear().determinant() < 0;
         for (const Vec3i& f : part.faces)
             mesh_.faces.emplace_back((is_mirrored ? Vec3i(f[0], f[2], f[1]) : f) + shift);
-        add_attributes(part.attributes, to_world);
+        add_attributes(part.attributes, to_world, is_moved);
         FaceLabels& groups = mesh_.attributes.groups;
         groups.names.push_back(name);
         groups.of_face.resize(mesh_.faces.size(),
@@ -55,17 +65,10 @@ public:
     }
 
 private:
-    void add_attributes(const MeshAttributes& part, const AffineMap& to_world) {
+    void add_attributes(const MeshAttributes& part, const AffineMap& to_world, bool is_moved) {
         MeshAttributes& all = mesh_.attributes;
-        // Normals go by the inverse transpose; cofactors are that, times the determinant.
-        const Eigen::Matrix3d m = to_world.linear();
-        Eigen::Matrix3d cofactors;
-        cofactors << m.col(1).cross(m.col(2)), m.col(2).cross(m.col(0)), m.col(0).cross(m.col(1));
-        if (m.determinant() < 0) cofactors = -cofactors;
-        MeshValues<Vec3f> normals = part.normals;
-        for (Vec3f& n : normals.values)
-            n = (cofactors * n.cast<double>()).normalized().cast<float>();
-        append(all.normals, normals, Vec3f(0, 0, 0));
+        append(all.normals, is_moved ? moved(part.normals, to_world) : part.normals,
+               Vec3f(0, 0, 0));
         append(all.texture_coordinates, part.texture_coordinates, Vec2f(0, 0));
         append(all.colors, part.colors, VertexColor(VertexColor::Ones()));
         all.materials.names = part.materials.names;

@@ -12,6 +12,7 @@
 #include "boxwood/world/classic_scene.h"
 #include "boxwood/world/gltf_world.h"
 #include "boxwood/world/mtl.h"
+#include "boxwood/world/scene_description.h"
 
 namespace boxwood {
 
@@ -61,6 +62,15 @@ World read_mesh_world(const fs::path& path, const WorldOptions& options) {
                          std::move(palette.materials), std::move(palette.textures));
 }
 
+/// Of version 2 when it says so, else classic.
+World read_scene_file(const fs::path& path, const WorldOptions& options) {
+    const FileContent content(path, options.read.limits);
+    const JsonReader json = JsonReader::parse(content.bytes(), path.string(), options.read.limits);
+    const bool is_classic = !json.is_object() || !json.find("boxwood");
+    return is_classic ? read_classic_scene(json, path, options.read, options.data_folder)
+                      : read_scene_description(json, path, options.read, options.data_folder);
+}
+
 }  // namespace
 
 World world_of_mesh(MeshData mesh, UpAxis up, std::vector<Material> materials,
@@ -99,7 +109,10 @@ World world_of_mesh(MeshData mesh, UpAxis up, std::vector<Material> materials,
 }
 
 World read_world(const fs::path& path, const WorldOptions& options) {
-    if (path.extension() == ".json") return read_classic_scene(path, options.data_folder);
+    if (path.extension() == ".json") return read_scene_file(path, options);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw IoError(path.string(), "found a directory, expected a file");
     const MeshFormat& format = mesh_format_of(path);
     if (format.extension != ".gltf" && format.extension != ".glb")
         return read_mesh_world(path, options);

@@ -94,7 +94,7 @@ PictureSettings studio_picture() {
 }
 
 Material clay() {
-    const Color color(0.66, 0.62, 0.57);
+    const Color color(0.74, 0.70, 0.64);
     return {.ambient = color,
             .diffuse = color,
             .specular = Color::Constant(0.06),

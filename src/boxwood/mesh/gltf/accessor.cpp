@@ -102,12 +102,11 @@ Elements elements_of(const GltfDocument& document, const JsonReader& object, std
     return {view.bytes.data() + offset, stride, count};
 }
 
-std::size_t count_of(const GltfDocument& document, const JsonReader& accessor) {
+std::size_t count_of(const JsonReader& accessor, std::uint64_t limit) {
     // Where there is no data all elements are zero, and nothing says how many can be meant.
     constexpr std::uint64_t kMostZeros = std::uint64_t{1} << 24;
-    const std::uint64_t most =
-        accessor.find("bufferView") ? document.limits().max_vertices : kMostZeros;
-    return accessor["count"].integer(0, most);
+    if (!accessor.find("bufferView")) limit = std::min(limit, kMostZeros);
+    return accessor["count"].integer(0, limit);
 }
 
 /// Calls put(element, place of its bytes) for each element that a sparse accessor replaces.
@@ -145,7 +144,7 @@ GltfNumbers read_numbers(const GltfDocument& document, const JsonReader& named, 
                                             : fmt::format("VEC{} or VEC{}", least, most));
     const auto normalized = accessor.find("normalized");
     const bool is_normalized = normalized && normalized->boolean();
-    const std::size_t count = count_of(document, accessor);
+    const std::size_t count = count_of(accessor, document.limits().max_vertices);
     const std::size_t size = components * size_of(type);
     const bool has_data = accessor.find("bufferView").has_value();
     const Elements elements =
@@ -169,7 +168,7 @@ std::vector<std::uint32_t> read_indices(const GltfDocument& document, const Json
     if (type != Component::uint8 && type != Component::uint16 && type != Component::uint32)
         accessor["componentType"].fail("a type of indices: 5121, 5123 or 5125");
     if (components_of(accessor["type"]) != 1) accessor["type"].fail("SCALAR");
-    const std::size_t count = count_of(document, accessor);
+    const std::size_t count = count_of(accessor, 3 * document.limits().max_faces);
     const std::size_t size = size_of(type);
     const bool has_data = accessor.find("bufferView").has_value();
     const Elements elements =

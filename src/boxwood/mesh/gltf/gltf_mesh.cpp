@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/gltf/accessor.h"
@@ -66,17 +69,33 @@ private:
                                primitive.path(), "found no POSITION, expected one");
             return;
         }
+        read_vertices(attributes, *position);
+        add_faces(primitive, mode);
+    }
+
+    /// Those of the primitive, which others may have as well.
+    void read_vertices(const JsonReader& attributes, const JsonReader& position) {
+        std::vector<std::size_t> accessors;
+        for (const char* name : {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"}) {
+            const auto value = attributes.find(name);
+            accessors.push_back(value ? document_.index(*value, "accessors")
+                                      : document_.count("accessors"));
+        }
+        const auto known = vertices_.find(accessors);
+        if (known != vertices_.end()) {
+            std::tie(first_, count_) = known->second;
+            return;
+        }
+        const GltfNumbers positions = read_numbers(document_, position, 3, 3);
         first_ = mesh_.vertices.size();
-        const GltfNumbers positions = read_numbers(document_, *position, 3, 3);
         count_ = positions.count();
+        vertices_[accessors] = {first_, count_};
         if (count_ > document_.limits().max_vertices - first_)
-            position->fail(
+            position.fail(
                 fmt::format("at most {} vertices in all", document_.limits().max_vertices));
         const float* p = positions.values.data();
         for (std::size_t i = 0; i < count_; ++i, p += 3)
             mesh_.vertices.emplace_back(p[0], p[1], p[2]);
-        add_faces(primitive, mode);
-
         if (const auto value = attributes.find("NORMAL")) {
             const GltfNumbers normals = expected(*value, 3, 3);
             fill(mesh_.attributes.normals, first_, Vec3f(0, 0, 0));
@@ -169,6 +188,8 @@ private:
     JsonReader value_;
     MeshData mesh_;
     std::size_t first_ = 0, count_ = 0;  ///< vertices of the primitive at hand
+    /// The same for each set of accessors that was read.
+    std::map<std::vector<std::size_t>, std::pair<std::size_t, std::size_t>> vertices_;
 };
 
 }  // namespace
