@@ -84,11 +84,15 @@ private:
 
 }  // namespace
 
+std::string unpack_gzip(std::string_view packed, const std::string& name, std::uint64_t max_bytes) {
+    return Unpacker(packed, name, max_bytes).unpack();
+}
+
 FileContent::FileContent(const std::filesystem::path& path, const Limits& limits) : file_(path) {
     const std::string_view text = file_.text();
     is_packed_ = text.starts_with("\x1f\x8b");
     if (is_packed_) {
-        unpacked_ = Unpacker(text, path.string(), limits.max_bytes).unpack();
+        unpacked_ = unpack_gzip(text, path.string(), limits.max_bytes);
     } else if (text.size() > limits.max_bytes) {
         throw ParseError(
             path.string(), "",

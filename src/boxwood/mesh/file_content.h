@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,6 +10,10 @@
 #include "boxwood/core/limits.h"
 
 namespace boxwood {
+
+/// What gzip packed, all of its members. The name stands for the file in messages. Throws
+/// ParseError when the data is damaged or would become more than max_bytes.
+std::string unpack_gzip(std::string_view packed, const std::string& name, std::uint64_t max_bytes);
 
 /// The content of a file in memory: mapped, or unpacked when gzip packed it, as its first bytes
 /// tell.

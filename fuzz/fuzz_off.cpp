@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/mesh/off.h"
+#include "fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return boxwood::fuzz::try_mesh(data, size, "mesh.off", boxwood::parse_off);
+}
