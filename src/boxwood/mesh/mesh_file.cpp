@@ -8,6 +8,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/off.h"
+#include "boxwood/mesh/stl.h"
 
 namespace boxwood {
 
@@ -50,6 +51,7 @@ const MeshFormat* find_format(fs::path path) {
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
         {".off", "Object File Format", parse_off, write_off},
+        {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
     };
     return kFormats;
 }
