@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/picture.h"
 #include "cli/stopwatch.h"
+#include "cli/warnings.h"
 
 namespace boxwood::cli {
 
@@ -23,6 +24,7 @@ void run(const RenderArguments& arguments) {
     check_output(arguments.picture);
     Stopwatch stopwatch;
     const World world = read_classic_scene(arguments.scene, arguments.data);
+    if (!arguments.picture.quiet) print_warnings(world.warnings);
     make_picture(world, arguments.picture, stopwatch.lap());
 }
 

@@ -50,7 +50,7 @@ const MeshFormat* find_format(fs::path path) {
 
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
-        {".off", "Object File Format", parse_off, write_off},
+        {".off", "Object File Format", parse_off, write_off, is_held_by_off},
         {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
     };
     return kFormats;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "boxwood/mesh/mesh_file.h"
@@ -50,7 +51,7 @@ PointLight read_light(const JsonReader& json) {
     return {.position = json["Position"].vec3(), .color = json["Color"].vec3()};
 }
 
-TriangleMesh read_mesh_of(const JsonReader& json, const Folders& folders) {
+MeshData read_mesh_of(const JsonReader& json, const Folders& folders) {
     const std::string name = json["Path"].string();
     std::vector<fs::path> places = {folders.scene / name};
     if (!folders.data.empty()) places.push_back(folders.data / name);
@@ -85,7 +86,9 @@ void read_object(const JsonReader& json, const Folders& folders, World& world) {
     } else if (type == "Mesh") {
         json.expect_keys({"Type", "Material", "Path"});
         const std::size_t index = material();
-        world.meshes.push_back({read_mesh_of(json, folders), index});
+        MeshData mesh = read_mesh_of(json, folders);
+        world.warnings.append(mesh.warnings);
+        world.meshes.push_back({std::move(mesh), index});
     } else {
         json["Type"].fail("\"Sphere\", \"Parallelogram\" or \"Mesh\"");
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "boxwood/core/vec.h"
+#include "boxwood/core/warnings.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/world/camera.h"
 
@@ -50,6 +51,7 @@ struct World {
     std::vector<PointLight> lights;
     std::vector<Sphere> spheres;
     std::vector<MeshObject> meshes;
+    Warnings warnings;  ///< what was wrong with files and tolerated
 };
 
 }  // namespace boxwood
