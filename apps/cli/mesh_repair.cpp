@@ -12,7 +12,8 @@ namespace boxwood::cli {
 void add_repair(CLI::App& command, std::vector<std::string>& steps) {
     command.add_option("--repair", steps, "what to do about the mesh, step by step")
         ->check(CLI::IsMember(names(repair_steps())))
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
 }
 
 RepairReport repair(MeshData& mesh, const std::vector<std::string>& steps) {
