@@ -119,6 +119,17 @@ TEST(ReadStl, long_text_is_cut_at_facets_only) {
     }
 }
 
+TEST(ReadStl, megabytes_of_blank_lines_and_of_solids_take_no_time) {
+    const MeshData blank =
+        read("solid\n" + std::string(std::size_t{8} << 20, '\n') + kFacet + "endsolid");
+    EXPECT_EQ(blank.faces.size(), 1u);
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += "solid\n";
+    const MeshData solids = read(text);
+    EXPECT_EQ(solids.warnings.count("solids without an end"), 100000u);
+    EXPECT_EQ(solids.attributes.groups.names.size(), 100000u);
+}
+
 TEST(WriteStl, what_is_written_reads_back_rounded_to_float) {
     const TempDir dir;
     const TriangleMesh mesh = generate_gyroid(300000);

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cfloat>
 #include <string>
 #include <utility>
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/stl.h"
+#include "boxwood/mesh/stl_solids.h"
 #include "boxwood/mesh/stl_words.h"
 #include "boxwood/mesh/text_chunks.h"
 
@@ -19,28 +20,19 @@ namespace boxwood {
 
 namespace {
 
-constexpr const char* kOutside = "facets outside of solids";
-constexpr const char* kUnfinished = "solids without an end";
-
-/// Where a solid begins or ends among the facets of a chunk.
-struct Mark {
-    std::size_t facet;  ///< how many are before it
-    std::size_t line;
-    bool is_begin;
-    std::string_view name;
-};
-
 struct Chunk {
     std::string_view text;
     std::size_t first_line = 0;
     std::vector<Vec3d> corners = {};
-    std::vector<Mark> marks = {};
+    std::vector<StlMark> marks = {};
     Warnings warnings = {};
     std::size_t first_facet = 0;
 };
 
+/// Of a text that begins with a line. No more than the start of that line is looked at.
 bool begins_facet_or_solid(std::string_view text) {
-    const std::string_view word = StlWords(text.substr(0, 256), 0).word();
+    const std::string_view start = text.substr(0, 256);
+    const std::string_view word = StlWords(start.substr(0, start.find('\n')), 0).word();
     return is_keyword(word, "facet") || is_keyword(word, "solid");
 }
 
@@ -72,7 +64,7 @@ public:
         for_each_chunk(chunks_, [this](Chunk& chunk) { read_chunk(chunk); });
         for (const Chunk& chunk : chunks_) mesh_.warnings.append(chunk.warnings);
         place_facets();
-        read_solids();
+        place_solids();
         join_facets();
         return std::move(mesh_);
     }
@@ -206,57 +198,15 @@ private:
         mesh_.vertices.resize(3 * count);
     }
 
-    /// Which facets belong to which solid, and what is wrong with how solids begin and end.
-    void read_solids() {
-        std::vector<std::size_t> begins;  // the first facet of each solid
-        std::size_t open_line = 0;        // where the solid begins that hasn't ended; 0 for none
-        std::size_t last_end = 0;         // the facets before the last endsolid
-        std::size_t end_line = 0;
-        const auto check_gap = [&](std::size_t facet) {
-            for (std::size_t i = last_end; i < facet; ++i)
-                mesh_.warnings.add_lazily(kOutside, name_, [&] {
-                    return std::pair(std::to_string(end_line),
-                                     fmt::format("facet {} comes after the end of its solid, "
-                                                 "expected solid before it",
-                                                 i));
-                });
-        };
-        const auto warn_unfinished = [&](const char* before) {
-            mesh_.warnings.add(
-                kUnfinished, name_, open_line,
-                fmt::format("the solid has no end, expected endsolid before {}", before));
-        };
-        FaceLabels groups;
+    void place_solids() {
+        std::vector<StlMark> marks;
         for (const Chunk& chunk : chunks_) {
-            for (const Mark& mark : chunk.marks) {
-                const std::size_t facet = chunk.first_facet + mark.facet;
-                if (open_line == 0) check_gap(facet);
-                if (mark.is_begin) {
-                    if (open_line > 0) warn_unfinished("the next one");
-                    begins.push_back(facet);
-                    groups.names.emplace_back(mark.name);
-                } else if (open_line == 0) {
-                    mesh_.warnings.add("ends of no solid, ignored", name_, mark.line,
-                                       "found endsolid, expected solid before it");
-                }
-                open_line = mark.is_begin ? mark.line : 0;
-                if (mark.is_begin) continue;
-                last_end = facet;
-                end_line = mark.line;
+            for (StlMark mark : chunk.marks) {
+                mark.facet += chunk.first_facet;
+                marks.push_back(mark);
             }
         }
-        if (open_line > 0) warn_unfinished("the end of the file");
-        if (open_line == 0) check_gap(mesh_.faces.size());
-        if (begins.size() < 2) return;
-
-        groups.of_face.resize(mesh_.faces.size());
-        for (std::size_t i = 0; i < begins.size(); ++i) {
-            const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : mesh_.faces.size();
-            std::fill(groups.of_face.begin() + static_cast<std::ptrdiff_t>(begins[i]),
-                      groups.of_face.begin() + static_cast<std::ptrdiff_t>(end),
-                      static_cast<std::uint32_t>(i));
-        }
-        mesh_.attributes.groups = std::move(groups);
+        read_stl_solids(marks, name_, mesh_);
     }
 
     void join_facets() {
