@@ -11,6 +11,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/mesh_file.h"
+#include "cli/warnings.h"
 
 namespace boxwood::cli {
 
@@ -29,6 +30,14 @@ std::optional<std::size_t> parse_count(std::string_view text) {
     const bool is_number = error == std::errc{} && end == text.data() + text.size();
     if (!is_number || count == 0 || count > 1'000'000'000) return std::nullopt;
     return count * factor;
+}
+
+std::string extensions(bool must_write) {
+    std::vector<std::string_view> result;
+    for (const MeshFormat& format : mesh_formats()) {
+        if (format.write || !must_write) result.push_back(format.extension);
+    }
+    return fmt::format("{}", fmt::join(result, ", "));
 }
 
 }  // namespace
@@ -66,19 +75,31 @@ std::vector<std::string> accelerator_names() {
     return result;
 }
 
-TriangleMesh load_mesh(const std::string& argument) {
+bool names_generated_shape(const std::string& argument) {
+    return argument.find(':') != std::string::npos && argument.find('/') == std::string::npos &&
+           !std::filesystem::exists(argument);
+}
+
+MeshData load_mesh(const std::string& argument) {
+    MeshData mesh;
+    if (!names_generated_shape(argument)) {
+        mesh = read_mesh(argument);
+        print_warnings(mesh.warnings);
+        return mesh;
+    }
     const std::size_t colon = argument.rfind(':');
-    const bool names_shape = colon != std::string::npos && argument.find('/') == std::string::npos;
-    if (!names_shape || std::filesystem::exists(argument)) return read_mesh(argument);
     const auto count = parse_count(std::string_view(argument).substr(colon + 1));
     if (!count)
         throw InvalidInput(argument + ": expected a count such as 500, 10k or 2M after the colon");
-    return generate(argument.substr(0, colon), *count);
+    static_cast<TriangleMesh&>(mesh) = generate(argument.substr(0, colon), *count);
+    return mesh;
 }
 
 std::string mesh_argument_help() {
-    return fmt::format("a mesh file, or a generated shape such as gyroid:100k ({})",
-                       fmt::join(generated_shapes(), ", "));
+    return fmt::format("a mesh file ({}), or a generated shape such as gyroid:100k ({})",
+                       extensions(false), fmt::join(generated_shapes(), ", "));
 }
+
+std::string written_extensions() { return extensions(true); }
 
 }  // namespace boxwood::cli

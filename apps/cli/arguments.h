@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boxwood/core/named.h"
-#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/mesh/mesh_data.h"
 #include "boxwood/scene/scene.h"
 #include "cli/command_line.h"
 
@@ -61,9 +61,15 @@ std::string_view name_of(std::span<const Named<Value>> choices, const Value& val
 }
 
 /// A mesh file, or a generated shape as SHAPE:COUNT, such as gyroid:100k.
-TriangleMesh load_mesh(const std::string& argument);
+bool names_generated_shape(const std::string& argument);
+
+/// The mesh that this names. Prints what is wrong with a file and was tolerated.
+MeshData load_mesh(const std::string& argument);
 
 /// Help for it.
 std::string mesh_argument_help();
+
+/// ".off, .stl", for help: of the formats that can be written.
+std::string written_extensions();
 
 }  // namespace boxwood::cli

@@ -2,14 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "boxwood/mesh/inspect.h"
+#include "boxwood/core/error.h"
+#include "boxwood/mesh/mesh_file.h"
 #include "boxwood/tree/statistics.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/mesh_repair.h"
+#include "cli/mesh_report.h"
 #include "cli/stopwatch.h"
 
 namespace boxwood::cli {
@@ -18,6 +20,7 @@ namespace {
 
 struct InfoArguments {
     std::string mesh;
+    std::vector<std::string> repair;
     std::vector<std::string> builders = {"median", "binned_sah"};
     std::string cost = "surface_area";
     bool json = false;
@@ -38,22 +41,9 @@ TreeReport report_tree(MeshView mesh, const std::string& builder, const std::str
     return {builder, stopwatch.lap(), statistics(tree)};
 }
 
-std::array<double, 3> as_array(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
-
-void print_json(const MeshReport& mesh, const std::vector<TreeReport>& trees) {
-    nlohmann::ordered_json json = {
-        {"vertices", mesh.vertices},
-        {"faces", mesh.faces},
-        {"bounds", nullptr},
-        {"closed", mesh.closed},
-        {"degenerate_faces", mesh.degenerate_faces},
-        {"boundary_edges", mesh.boundary_edges},
-        {"nonmanifold_edges", mesh.nonmanifold_edges},
-        {"flipped_edges", mesh.flipped_edges},
-        {"trees", nlohmann::ordered_json::array()},
-    };
-    if (!mesh.bounds.is_empty())
-        json["bounds"] = {{"lo", as_array(mesh.bounds.lo)}, {"hi", as_array(mesh.bounds.hi)}};
+void print_json(const MeshInfo& info, const std::vector<TreeReport>& trees) {
+    nlohmann::ordered_json json = as_json(info);
+    json["trees"] = nlohmann::ordered_json::array();
     for (const TreeReport& tree : trees) {
         json["trees"].push_back({{"builder", tree.builder},
                                  {"nodes", tree.statistics.nodes},
@@ -64,22 +54,13 @@ void print_json(const MeshReport& mesh, const std::vector<TreeReport>& trees) {
                                  {"build_seconds", tree.build_seconds},
                                  {"bytes", tree.statistics.bytes}});
     }
-    fmt::print("{}\n", json.dump(2));
+    // Names in files may be of any bytes, and JSON has only UTF-8.
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-void print_text(const MeshReport& mesh, const std::vector<TreeReport>& trees) {
-    const Vec3d &lo = mesh.bounds.lo, &hi = mesh.bounds.hi;
-    fmt::print("{:<18}{}\n{:<18}{}\n", "vertices", mesh.vertices, "faces", mesh.faces);
-    if (!mesh.bounds.is_empty())
-        fmt::print("{:<18}[{:.6g}, {:.6g}, {:.6g}] to [{:.6g}, {:.6g}, {:.6g}]\n", "bounds", lo.x(),
-                   lo.y(), lo.z(), hi.x(), hi.y(), hi.z());
-    fmt::print("{:<18}{}\n", "closed",
-               mesh.closed ? "yes"
-                           : fmt::format("no, {} boundary and {} non-manifold edges",
-                                         mesh.boundary_edges, mesh.nonmanifold_edges));
-    fmt::print("{:<18}{}\n{:<18}{}\n\n", "flipped edges", mesh.flipped_edges, "degenerate faces",
-               mesh.degenerate_faces);
-    fmt::print("{:<16}{:>12}{:>8}{:>12}{:>12}{:>14}\n", "builder", "nodes", "depth", "SAH cost",
+void print_text(const MeshInfo& info, const std::vector<TreeReport>& trees) {
+    print_text(info);
+    fmt::print("\n{:<16}{:>12}{:>8}{:>12}{:>12}{:>14}\n", "builder", "nodes", "depth", "SAH cost",
                "build ms", "bytes");
     for (const TreeReport& tree : trees)
         fmt::print("{:<16}{:>12}{:>8}{:>12.1f}{:>12.1f}{:>14}\n", tree.builder,
@@ -87,13 +68,28 @@ void print_text(const MeshReport& mesh, const std::vector<TreeReport>& trees) {
                    1e3 * tree.build_seconds, tree.statistics.bytes);
 }
 
+MeshInfo info_of(const InfoArguments& arguments, MeshData& mesh) {
+    MeshInfo info;
+    if (!names_generated_shape(arguments.mesh)) info.format = mesh_format_of(arguments.mesh).name;
+    if (!arguments.repair.empty()) info.repair = repair(mesh, arguments.repair);
+    for (const AttributeName& attribute : attribute_names(mesh.attributes))
+        info.attributes.push_back(one_line(attribute.text()));
+    info.warnings = mesh.warnings;
+    info.report = inspect(mesh);
+    return info;
+}
+
 void run(const InfoArguments& arguments) {
-    const TriangleMesh mesh = load_mesh(arguments.mesh);
-    const MeshReport report = inspect(mesh);
+    MeshData mesh = load_mesh(arguments.mesh);
+    const MeshInfo info = info_of(arguments, mesh);
     std::vector<TreeReport> trees;
     for (const std::string& builder : arguments.builders)
         trees.push_back(report_tree(mesh, builder, arguments.cost));
-    (arguments.json ? print_json : print_text)(report, trees);
+    if (arguments.json) {
+        print_json(info, trees);
+    } else {
+        print_text(info, trees);
+    }
 }
 
 }  // namespace
@@ -108,6 +104,7 @@ void add_info(CLI::App& app) {
         ->delimiter(',')
         ->capture_default_str();
     add_cost(*command, arguments->cost);
+    add_repair(*command, arguments->repair);
     command->add_flag("--json", arguments->json, "print JSON");
     command->footer("Example:\n  boxwood info dragon.off --accelerator median,binned_sah");
     command->callback([arguments] { run(*arguments); });

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/picture.h"
 #include "cli/stopwatch.h"
+#include "cli/warnings.h"
 
 namespace boxwood::cli {
 
@@ -45,6 +46,7 @@ void run(const RenderArguments& arguments) {
         options.up = value_of(std::span<const Named<UpAxis>>(kUpAxes), arguments.up);
     World world = read_world(arguments.scene, options);
     choose_camera(world, arguments.camera);
+    if (!arguments.picture.quiet) print_warnings(world.warnings);
     make_picture(std::move(world), arguments.picture, stopwatch.lap());
 }
 

@@ -139,6 +139,103 @@ TEST_F(Cli, info_tells_counts_bounds_closedness_and_trees) {
     EXPECT_NE(run("info ball.off").out.find("closed            yes"), std::string::npos);
 }
 
+TEST_F(Cli, info_tells_all_of_an_ugly_mesh_and_exits_with_0) {
+    std::string text =
+        "NOFF\n6 15 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 1 0 0 0 1\n"
+        "nan 0 0 0 0 1\n9 9 9 0 0 1\n3 0 1 2\n3 2 1 0\n3 0 1 4\n";
+    for (int i = 0; i < 12; ++i) text += "2 0 1\n";
+    write("ugly.off", text);
+    const Outcome outcome = run("info ugly.off --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["format"], "Object File Format");
+    EXPECT_EQ(json["vertices"], 6);
+    EXPECT_EQ(json["faces"], 3);
+    EXPECT_EQ(json["nonfinite_vertices"], 1);
+    EXPECT_EQ(json["duplicate_vertices"], 1);
+    EXPECT_EQ(json["unreferenced_vertices"], 2);
+    EXPECT_EQ(json["degenerate_faces"], 1);
+    EXPECT_EQ(json["duplicate_faces"], 1);
+    EXPECT_EQ(json["components"], 1);
+    EXPECT_EQ(json["area"], 1);
+    EXPECT_EQ(json["attributes"], nlohmann::json({"normals of vertices"}));
+    ASSERT_EQ(json["warnings"].size(), 2);
+    EXPECT_EQ(json["warnings"][1]["count"], 12);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 12) << outcome.err;
+    EXPECT_NE(outcome.err.find("boxwood: warning: ugly.off:7: vertex 4 is (nan, 0, 0), expected "
+                               "finite numbers\n"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(
+        outcome.err.find("boxwood: warning: ... and 2 more: faces of fewer than three corners, "
+                         "skipped\n"),
+        std::string::npos)
+        << outcome.err;
+    const std::string table = run("info ugly.off").out;
+    for (const char* line : {"format            Object File Format\n",
+                             "vertices          6, 1 duplicate, 2 unreferenced, 1 not finite\n",
+                             "faces             3, 1 degenerate, 1 duplicate\n",
+                             "area              1\n", "attributes        normals of vertices\n"})
+        EXPECT_NE(table.find(line), std::string::npos) << table;
+}
+
+TEST_F(Cli, info_of_a_closed_mesh_has_a_volume) {
+    const auto json = nlohmann::json::parse(run("info icosphere:20480 --json").out);
+    EXPECT_NEAR(json["volume"], 4.18879, 0.01);
+    EXPECT_EQ(json["format"], nullptr);
+    EXPECT_EQ(json["boundary_loops"], 0);
+    EXPECT_EQ(nlohmann::json::parse(run("info terrain:100 --json").out)["volume"], nullptr);
+}
+
+TEST_F(Cli, repair_does_the_steps_and_tells_what_they_did) {
+    run("convert icosphere:320 ball.stl");
+    const auto before = nlohmann::json::parse(run("info ball.stl --json").out);
+    EXPECT_EQ(before["vertices"], 960);
+    EXPECT_EQ(before["duplicate_vertices"], 798);
+    EXPECT_FALSE(before.contains("repair"));
+    const Outcome outcome = run("info --repair weld,drop-degenerate,orient ball.stl --json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto after = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(after["vertices"], 162);
+    EXPECT_EQ(after["repair"]["welded_vertices"], 798);
+    EXPECT_EQ(after["repair"]["flipped_faces"], 0);
+    EXPECT_EQ(run("convert ball.stl ball.off --repair weld").out,
+              "798 vertices welded, 0 faces dropped, 0 faces turned around\n");
+    EXPECT_TRUE(contents(folder_.path() / "ball.off").starts_with("OFF\n162 320 0\n"));
+}
+
+TEST_F(Cli, convert_carries_attributes_over_and_says_which_are_lost) {
+    write("mesh.off",
+          "CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1\n1 0 0 0 0 1 1 0 0 1\n"
+          "0 1 0 0 0 1 1 0 0 1\n3 0 1 2\n");
+    const Outcome same = run("convert mesh.off again.off");
+    EXPECT_EQ(same.exit_code, 0);
+    EXPECT_EQ(same.err, "");
+    EXPECT_EQ(contents(folder_.path() / "again.off"), contents(folder_.path() / "mesh.off"));
+    const Outcome other = run("convert mesh.off mesh.stl");
+    EXPECT_EQ(other.exit_code, 0);
+    EXPECT_EQ(
+        other.err,
+        "boxwood: warning: mesh.stl: left out normals of vertices, which .stl has no place "
+        "for\nboxwood: warning: mesh.stl: left out colors of vertices, which .stl has no place "
+        "for\n");
+}
+
+TEST_F(Cli, help_lists_the_formats_there_are) {
+    EXPECT_NE(run("info --help").out.find(".off"), std::string::npos);
+    EXPECT_NE(run("convert --help").out.find(".stl"), std::string::npos);
+}
+
+TEST_F(Cli, render_warns_of_meshes_unless_it_shall_be_quiet) {
+    write_scene();
+    write("cube.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n");
+    const Outcome outcome = run("render scene.json --size 8x8");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("cube.off:7: face 1 has 2 corners"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(run("render scene.json --size 8x8 --quiet").err, "");
+}
+
 TEST_F(Cli, bench_compares_builders_with_brute_force) {
     const Outcome outcome = run("bench icosphere:500 --rays 200 --json");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -213,7 +310,8 @@ TEST_F(Cli, wrong_usage_exits_with_2) {
           "render scene.json --cost none", "render scene.json --samples 0",
           "render scene.json --threads -1", "render scene.json --unknown", "info", "bench",
           "info icosphere:20 --accelerator brute",
-          "bench icosphere:20 --counters --accelerator brute", "convert icosphere:20"}) {
+          "bench icosphere:20 --counters --accelerator brute", "convert icosphere:20",
+          "info icosphere:20 --repair", "convert icosphere:20 a.off --repair polish"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << arguments;
         EXPECT_NE(outcome.err, "") << arguments;

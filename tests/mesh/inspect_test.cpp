@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -164,6 +165,83 @@ TEST(Inspect, a_sliver_that_fills_a_seam_counts_for_closedness) {
     EXPECT_TRUE(report.closed);
 }
 
+TEST(Inspect, area_and_volume_are_measured) {
+    const MeshReport report = inspect(tetrahedron());
+    EXPECT_NEAR(report.area, 1.5 + std::sqrt(3) / 2, 1e-12);
+    EXPECT_NEAR(report.volume.value(), 1.0 / 6, 1e-12);
+    const MeshReport ball = inspect(generate_icosphere(80000));
+    EXPECT_NEAR(ball.volume.value(), 4.18879, 1e-3);
+    EXPECT_NEAR(ball.area, 12.56637, 2e-3);
+}
+
+TEST(Inspect, volume_is_known_of_what_is_closed_and_turned_alike) {
+    TriangleMesh mesh = tetrahedron();
+    for (Vec3d& p : mesh.vertices) p += Vec3d(1e6, 1e6, 1e6);
+    EXPECT_NEAR(inspect(mesh).volume.value(), 1.0 / 6, 1e-9);
+    std::swap(mesh.faces[1][0], mesh.faces[1][1]);
+    EXPECT_FALSE(inspect(mesh).volume);
+    for (const std::size_t i : {0, 2, 3}) std::swap(mesh.faces[i][0], mesh.faces[i][1]);
+    EXPECT_NEAR(inspect(mesh).volume.value(), -1.0 / 6, 1e-9);
+    mesh.faces.pop_back();
+    EXPECT_FALSE(inspect(mesh).volume);
+    EXPECT_FALSE(inspect({}).volume);
+}
+
+TEST(Inspect, faces_that_are_there_again_are_duplicates_in_whatever_order) {
+    TriangleMesh mesh = tetrahedron();
+    EXPECT_EQ(inspect(mesh).duplicate_faces, 0u);
+    mesh.faces.push_back(mesh.faces[0]);
+    mesh.faces.emplace_back(mesh.faces[0][2], mesh.faces[0][1], mesh.faces[0][0]);
+    mesh.faces.emplace_back(0, 0, 0);
+    mesh.faces.emplace_back(0, 0, 0);
+    EXPECT_EQ(inspect(mesh).duplicate_faces, 2u);
+    EXPECT_EQ(inspect(torn_apart(mesh)).duplicate_faces, 2u);
+}
+
+TEST(Inspect, vertices_are_judged) {
+    TriangleMesh mesh = torn_apart(tetrahedron());
+    MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.duplicate_vertices, 8u);
+    EXPECT_EQ(report.unreferenced_vertices, 0u);
+    EXPECT_EQ(report.nonfinite_vertices, 0u);
+    for (const double bad : {kNaN, kNaN, kInfinity, kInfinity})
+        mesh.vertices.emplace_back(0, bad, 0);
+    report = inspect(mesh);
+    EXPECT_EQ(report.duplicate_vertices, 9u) << "NaN is no position, infinity is";
+    EXPECT_EQ(report.unreferenced_vertices, 4u);
+    EXPECT_EQ(report.nonfinite_vertices, 4u);
+}
+
+TEST(Inspect, components_are_joined_at_vertices) {
+    TriangleMesh mesh = tetrahedron();
+    EXPECT_EQ(inspect(mesh).components, 1u);
+    EXPECT_EQ(inspect(torn_apart(mesh)).components, 1u);
+    for (const Vec3d& p : tetrahedron().vertices) mesh.vertices.push_back(p + Vec3d(3, 0, 0));
+    for (const Vec3i& face : tetrahedron().faces) mesh.faces.push_back(face + Vec3i(4, 4, 4));
+    EXPECT_EQ(inspect(mesh).components, 2u);
+    mesh.vertices[7] = mesh.vertices[1];
+    EXPECT_EQ(inspect(mesh).components, 1u);
+    EXPECT_EQ(inspect({}).components, 0u);
+}
+
+TEST(Inspect, boundary_edges_form_loops) {
+    EXPECT_EQ(inspect(tetrahedron()).boundary_loops, 0u);
+    EXPECT_EQ(inspect(generate_terrain(2000)).boundary_loops, 1u);
+    TriangleMesh mesh = generate_icosphere(2000);
+    mesh.faces.erase(mesh.faces.begin() + 1000);
+    mesh.faces.erase(mesh.faces.begin());
+    const MeshReport report = inspect(mesh);
+    EXPECT_EQ(report.boundary_edges, 6u);
+    EXPECT_EQ(report.boundary_loops, 2u);
+}
+
+TEST(Inspect, closedness_alone_is_the_same) {
+    EXPECT_TRUE(is_closed(tetrahedron()));
+    EXPECT_TRUE(is_closed(generate_gyroid(5000)));
+    EXPECT_FALSE(is_closed(generate_terrain(500)));
+    EXPECT_FALSE(is_closed({}));
+}
+
 TEST(Inspect, the_report_does_not_depend_on_the_number_of_threads) {
     TriangleMesh mesh = generate_soup(20000);
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 5) mesh.vertices[i] = Vec3d::Zero();
@@ -174,6 +252,15 @@ TEST(Inspect, the_report_does_not_depend_on_the_number_of_threads) {
     EXPECT_EQ(one.boundary_edges, many.boundary_edges);
     EXPECT_EQ(one.nonmanifold_edges, many.nonmanifold_edges);
     EXPECT_EQ(one.flipped_edges, many.flipped_edges);
+    EXPECT_EQ(one.area, many.area);
+    EXPECT_EQ(one.duplicate_faces, many.duplicate_faces);
+    EXPECT_EQ(one.components, many.components);
+    EXPECT_EQ(one.boundary_loops, many.boundary_loops);
+    const TriangleMesh ball = generate_gyroid(50000);
+    EXPECT_EQ(inspect(ball).volume, [&] {
+        const ThreadLimit eight(8);
+        return inspect(ball).volume;
+    }());
 }
 
 }  // namespace

@@ -39,6 +39,19 @@ public:
         add(kind, file, std::to_string(line), message);
     }
 
+    /// The same, for faults that may be as many as a file's faces: describe() gives the place and
+    /// the message, and is called only for those that are shown.
+    template <class Describe>
+    void add_lazily(const std::string& kind, const std::string& file, const Describe& describe) {
+        Warning& warning = of_kind(kind);
+        if (warning.count >= Warning::kShown) {
+            ++warning.count;
+            return;
+        }
+        const std::pair<std::string, std::string> fault = describe();
+        add(kind, file, fault.first, fault.second);
+    }
+
     /// Adds what comes later in the file.
     void append(const Warnings& later) {
         for (const Warning& more : later.kinds_) {

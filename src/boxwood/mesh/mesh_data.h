@@ -26,7 +26,7 @@ struct MeshValues {
 /// Red, green, blue and alpha, from 0 to 1, as a file has them.
 using VertexColor = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
 
-/// A number for each vertex or face, under a name: whatever was measured there.
+/// A number for each vertex, face or corner, under a name: whatever was measured there.
 struct MeshField {
     std::string name;
     ValuesOf of = ValuesOf::vertices;

@@ -9,6 +9,7 @@
 #include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/gltf.h"
 #include "boxwood/mesh/off.h"
+#include "boxwood/mesh/stl.h"
 
 namespace boxwood {
 
@@ -52,7 +53,8 @@ std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
         {".gltf", "glTF 2.0", parse_gltf, write_gltf},
         {".glb", "glTF 2.0, binary", parse_gltf, write_glb},
-        {".off", "Object File Format", parse_off, write_off},
+        {".off", "Object File Format", parse_off, write_off, is_held_by_off},
+        {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
     };
     return kFormats;
 }

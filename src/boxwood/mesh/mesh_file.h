@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "boxwood/mesh/attribute_names.h"
 #include "boxwood/mesh/mesh_data.h"
 #include "boxwood/mesh/mesh_source.h"
 
@@ -17,6 +18,8 @@ struct MeshFormat {
     MeshData (*parse)(const MeshSource& source, const ReadOptions& options);
     void (*write)(const std::filesystem::path& path, MeshView mesh,
                   const MeshAttributes& attributes);
+    /// Whether the writer keeps an attribute; null when nobody has said.
+    bool (*holds)(const AttributeName& attribute) = nullptr;
 };
 
 /// All of them.

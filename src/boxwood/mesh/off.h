@@ -8,17 +8,25 @@
 
 namespace boxwood {
 
-/// Reads an OFF file: the line "OFF", counts of vertices, faces and (optional) edges, a line a
-/// vertex, a line a face. Comments from # to the end of the line and blank lines are skipped,
-/// polygons become fans of triangles, colours and normals are ignored. Coordinates must be finite
-/// and within the range of float, as the trees' boxes are. O(file size), all cores.
-/// Throws ParseError with the line, what was found and what was expected.
+struct AttributeName;
+
+/// Reads an OFF file of any variant, [ST][C][N][4][n]OFF as text or BINARY: the keyword, counts of
+/// vertices, faces and (optional) edges, a line a vertex, a line a face. Comments from # to the end
+/// of the line and blank lines are skipped. Vertices may have normals (N), colours (C) and texture
+/// coordinates (ST), in this order, and a fourth coordinate that divides the others (4); a
+/// dimension (n) must be 3. Colours are from 0 to 1, or to 255 when any number of them in the file
+/// is 2 or more. Faces have theirs only when all faces have and vertices have none. Polygons become
+/// triangles. O(file size), all cores.
+/// Throws ParseError with the line or byte, what was found and what was expected.
 MeshData parse_off(const MeshSource& source, const ReadOptions& options = {});
 
-/// Writes an OFF file whose numbers read back exactly. Throws IoError, and InvalidInput on what
-/// parse_off would reject: coordinates that aren't finite or beyond the range of float, and indices
-/// out of range.
+/// Writes an OFF file whose numbers read back exactly, with normals, colours and texture
+/// coordinates of vertices or colours of faces. Colours are held to 0 to 1. Throws IoError, and
+/// InvalidInput on indices out of range.
 void write_off(const std::filesystem::path& path, MeshView mesh,
                const MeshAttributes& attributes = {});
+
+/// Whether write_off keeps an attribute.
+bool is_held_by_off(const AttributeName& attribute);
 
 }  // namespace boxwood

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstring>
+#include <limits>
 
 #include "boxwood/core/parallel.h"
 
@@ -46,6 +47,23 @@ std::vector<std::uint32_t> weld(std::span<const Vec3d> vertices) {
         names[positions[i].vertex] = name;
     }
     return names;
+}
+
+std::vector<std::uint32_t> first_at_position(std::span<const Vec3d> vertices) {
+    return first_at_position(vertices, weld(vertices));
+}
+
+std::vector<std::uint32_t> first_at_position(std::span<const Vec3d> vertices,
+                                             std::span<const std::uint32_t> names) {
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> first_of_name(vertices.size(), kNone), firsts(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto self = static_cast<std::uint32_t>(i);
+        std::uint32_t& first = first_of_name[names[i]];
+        if (first == kNone) first = self;
+        firsts[i] = vertices[i].hasNaN() ? self : first;
+    }
+    return firsts;
 }
 
 }  // namespace boxwood

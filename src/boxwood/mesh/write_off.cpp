@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
-#include "boxwood/core/error.h"
 #include "boxwood/core/files.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/mesh/attribute_names.h"
 #include "boxwood/mesh/off.h"
 
 namespace boxwood {
@@ -36,37 +34,57 @@ void write_lines(OutputFile& file, std::size_t count, const Append& append) {
     }
 }
 
-/// So that read_off takes what write_off wrote.
-void check_vertices(MeshView mesh) {
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        for (const double x : mesh.vertices[i]) {
-            if (!(std::abs(x) <= kLargest))
-                throw InvalidInput(fmt::format(
-                    "vertex {} has coordinate {}, expected a number of at most 3.4e38 in size", i,
-                    x));
-        }
-    }
+using Buffer = fmt::memory_buffer;
+
+void append_number(Buffer& buffer, double number) {
+    fmt::format_to(std::back_inserter(buffer), " {}", number);
+}
+
+/// Colours that aren't from 0 to 1 would be read as others.
+void append_color(Buffer& buffer, const VertexColor& color) {
+    for (const float x : color) append_number(buffer, std::min(std::max(0.0F, x), 1.0F));
+}
+
+template <class Value>
+const std::vector<Value>* values_of(const MeshValues<Value>& values, ValuesOf of) {
+    return !values.is_empty() && values.of == of ? &values.values : nullptr;
 }
 
 }  // namespace
 
-void write_off(const std::filesystem::path& path, MeshView mesh,
-               const MeshAttributes& /* has no place for them */) {
-    check_vertices(mesh);
+void write_off(const std::filesystem::path& path, MeshView mesh, const MeshAttributes& attributes) {
     check_indices(mesh);
+    const auto* normals = values_of(attributes.normals, ValuesOf::vertices);
+    const auto* colors = values_of(attributes.colors, ValuesOf::vertices);
+    const auto* texture = values_of(attributes.texture_coordinates, ValuesOf::vertices);
+    const auto* face_colors = values_of(attributes.colors, ValuesOf::faces);
 
     OutputFile file(path);
-    file.write(fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.faces.size()));
-    write_lines(file, mesh.vertices.size(), [&](fmt::memory_buffer& buffer, std::size_t i) {
+    file.write(fmt::format("{}{}{}OFF\n{} {} 0\n", texture ? "ST" : "", colors ? "C" : "",
+                           normals ? "N" : "", mesh.vertices.size(), mesh.faces.size()));
+    write_lines(file, mesh.vertices.size(), [&](Buffer& buffer, std::size_t i) {
         const Vec3d& v = mesh.vertices[i];
-        fmt::format_to(std::back_inserter(buffer), "{} {} {}\n", v.x(), v.y(), v.z());
+        fmt::format_to(std::back_inserter(buffer), "{} {} {}", v.x(), v.y(), v.z());
+        if (normals)
+            for (const float x : (*normals)[i]) append_number(buffer, x);
+        if (colors) append_color(buffer, (*colors)[i]);
+        if (texture)
+            for (const float x : (*texture)[i]) append_number(buffer, x);
+        buffer.push_back('\n');
     });
-    write_lines(file, mesh.faces.size(), [&](fmt::memory_buffer& buffer, std::size_t i) {
+    write_lines(file, mesh.faces.size(), [&](Buffer& buffer, std::size_t i) {
         const Vec3i& f = mesh.faces[i];
-        fmt::format_to(std::back_inserter(buffer), "3 {} {} {}\n", f.x(), f.y(), f.z());
+        fmt::format_to(std::back_inserter(buffer), "3 {} {} {}", f.x(), f.y(), f.z());
+        if (face_colors) append_color(buffer, (*face_colors)[i]);
+        buffer.push_back('\n');
     });
     file.commit();
+}
+
+bool is_held_by_off(const AttributeName& attribute) {
+    if (attribute.what == "colors") return attribute.of != ValuesOf::corners;
+    return attribute.of == ValuesOf::vertices &&
+           (attribute.what == "normals" || attribute.what == "texture coordinates");
 }
 
 }  // namespace boxwood

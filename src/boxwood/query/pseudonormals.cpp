@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/query/pseudonormals.h"
 
-#include <tbb/parallel_sort.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/ray.h"
+#include "boxwood/mesh/face_edges.h"
 #include "boxwood/mesh/weld.h"
 
 namespace boxwood {
@@ -38,13 +36,6 @@ double angle_at(MeshView mesh, std::size_t face, int k) {
     return std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
 }
 
-/// Side k of a triangle, from corner k to the next.
-struct HalfEdge {
-    std::uint64_t ends;  ///< the names of both, the lower one in the upper half
-    std::uint32_t side;  ///< 3 * triangle + k
-    bool is_upward;      ///< runs from the lower name to the higher
-};
-
 }  // namespace
 
 Pseudonormals::Pseudonormals(MeshView mesh) : mesh_(mesh) {
@@ -69,21 +60,7 @@ bool Pseudonormals::leans_over_neighbour(std::uint32_t triangle) const {
 
 void Pseudonormals::find_neighbours(const std::vector<std::uint32_t>& names) {
     neighbours_.assign(mesh_.faces.size(), {kNone, kNone, kNone});
-    std::vector<HalfEdge> edges;
-    edges.reserve(3 * mesh_.faces.size());
-    for (std::uint32_t i = 0; i < mesh_.faces.size(); ++i) {
-        const Vec3i& face = mesh_.faces[i];
-        const std::uint32_t name[3] = {names[face[0]], names[face[1]], names[face[2]]};
-        const bool is_collapsed = name[0] == name[1] || name[1] == name[2] || name[2] == name[0];
-        if (is_collapsed || triangle_box(mesh_, i).is_empty()) continue;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(name[k], name[(k + 1) % 3]);
-            edges.push_back({std::uint64_t{low} << 32 | high, 3 * i + k, name[k] == low});
-        }
-    }
-    tbb::parallel_sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return a.ends != b.ends ? a.ends < b.ends : a.side < b.side;
-    });
+    const std::vector<FaceEdge> edges = sorted_face_edges(mesh_, names);
     is_consistent_ = !edges.empty();
     for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
         while (last < edges.size() && edges[last].ends == edges[first].ends) ++last;
@@ -91,9 +68,9 @@ void Pseudonormals::find_neighbours(const std::vector<std::uint32_t>& names) {
             last - first == 2 && edges[first].is_upward != edges[first + 1].is_upward;
         is_consistent_ = is_consistent_ && is_pair;
         if (!is_pair) continue;
-        const std::uint32_t one = edges[first].side, other = edges[first + 1].side;
-        neighbours_[one / 3][one % 3] = other / 3;
-        neighbours_[other / 3][other % 3] = one / 3;
+        const FaceEdge &one = edges[first], &other = edges[first + 1];
+        neighbours_[one.face][one.side] = other.face;
+        neighbours_[other.face][other.side] = one.face;
     }
 }
 

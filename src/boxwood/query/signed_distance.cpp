@@ -31,7 +31,7 @@ MeshSign::MeshSign(MeshView mesh, SignMethod method, const WindingOptions& windi
             winding_tree_.emplace(mesh);
             break;
         case SignMethod::ray_parity:
-            is_trustworthy_ = inspect(mesh).closed;
+            is_trustworthy_ = is_closed(mesh);
             break;
     }
 }

@@ -54,7 +54,7 @@ struct World {
     std::vector<MeshData> meshes;
     std::vector<MeshObject> objects;
     PictureSettings picture;
-    Warnings warnings;
+    Warnings warnings;  ///< what was wrong with files and tolerated
 
     /// Adds a mesh and an object of it, where it is.
     void add_mesh(MeshData mesh, std::size_t material) {
