@@ -7,7 +7,9 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/file_content.h"
+#include "boxwood/mesh/obj.h"
 #include "boxwood/mesh/off.h"
+#include "boxwood/mesh/ply.h"
 
 namespace boxwood {
 
@@ -50,6 +52,8 @@ const MeshFormat* find_format(fs::path path) {
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
         {".off", "Object File Format", parse_off, write_off},
+        {".obj", "Wavefront OBJ", parse_obj, write_obj},
+        {".ply", "Polygon File Format", parse_ply, write_ply},
     };
     return kFormats;
 }
