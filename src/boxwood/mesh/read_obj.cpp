@@ -174,7 +174,6 @@ private:
             result.values = std::move(values);
             return result;
         }
-        result.of = ValuesOf::corners;
         if (indices.empty()) {
             for (std::size_t i = 0; i < values.size(); ++i)
                 mesh_.warnings.add(fmt::format("{}s, none of them used, skipped", what), body_.name,
@@ -187,6 +186,7 @@ private:
                                    fmt::format("face {}", i),
                                    fmt::format("found no {}, expected one a corner", what));
         }
+        result.of = ValuesOf::corners;
         result.values.resize(3 * indices.size());
         parallel_for(indices.size(), 4096, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
