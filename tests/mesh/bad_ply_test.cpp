@@ -141,7 +141,7 @@ TEST(BadPly, bodies_in_text) {
           kStart + kVertex + "element edge 200000000000000\nproperty int a\n" + kEnd + kPoints,
           "7: the header promises 200000000000000 of the element 'edge', a line each, but the file "
           "has 0"},
-         {"two coordinates", points + "0 0\n1 1 1\n2 2 2\n",
+         {"two coordinates", points + "0 0\n1.0 1 1\n2 2 2\n",
           "8: found the end of the line, expected a number"},
          {"four coordinates", points + "0 0 0\n\n1 1 1 7\n2 2 2\n",
           "10: found '7', expected the end of the line"},
@@ -236,6 +236,26 @@ TEST(BadPly, bodies_in_binary) {
           at(two, 17) + "found a list of 4 items, 4 bytes each, but the file has 15 more bytes"},
          {"vertices behind a list", cut.substr(0, cut.size() - 3),
           at(cut, 36) + "found 33 bytes for 3 of the element 'vertex', expected 12 bytes each"}});
+}
+
+/// A list of count ones, in text.
+std::string ones(std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += " 1";
+    return text;
+}
+
+TEST(BadPly, numbers_that_would_take_more_memory_than_the_file_is_worth) {
+    std::string properties;
+    for (int i = 0; i < 1000; ++i) properties += "property uchar p" + std::to_string(i) + "\n";
+    std::string points = kStart + kVertex + properties + kEnd;
+    EXPECT_EQ(complaint_of(parse_ply, points + kPoints),
+              "3: the header promises 3 of the element 'vertex', 1003 numbers each, but the file "
+              "has 18 bytes for them");
+    const std::string faces = kStart + kVertex + kFace + properties + kEnd + kPoints;
+    EXPECT_EQ(complaint_of(parse_ply, faces + "1000" + ones(2000) + "\n"),
+              "1013: face 0 has 1000 corners and 1000 numbers, expected fewer of them");
+    EXPECT_EQ(complaint_of(parse_ply, faces + "30" + ones(1030) + "\n"), "none");
 }
 
 TEST(BadPly, the_wrong_order_of_bytes_is_found_out_by_its_indices) {

@@ -140,6 +140,13 @@ TEST(ReadPly, points_are_a_mesh_without_faces) {
     expect_in_all_formats(text, mesh);
 }
 
+TEST(ReadPly, no_faces_need_no_indices) {
+    EXPECT_EQ(parsed_ply("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty "
+                         "float y\nproperty float z\nelement face 0\nend_header\n1 2 3\n")
+                  .vertices[0],
+              Vec3d(1, 2, 3));
+}
+
 TEST(ReadPly, normals_texture_coordinates_and_colours_of_vertices_are_told_by_name) {
     const std::string text =
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty "

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/warnings.h"
@@ -68,11 +69,16 @@ public:
         });
     }
     std::int64_t integer(PlyType type) {
-        constexpr double kLargest = 9007199254740992.0;
-        const double found = number(type);
-        if (!(std::abs(found) <= kLargest) || found != std::floor(found))
-            fail(fmt::format("found {}, expected a whole number", found));
-        return static_cast<std::int64_t>(found);
+        const char* place = take(size_of(type));
+        return with_ply_type(type, [&](auto number) -> std::int64_t {
+            const auto found = load_ply<decltype(number)>(place, must_swap_);
+            if constexpr (std::is_floating_point_v<decltype(number)>) {
+                // Beyond that, not every whole number is one of them.
+                if (!(std::abs(found) <= 9007199254740992.0) || found != std::floor(found))
+                    fail(fmt::format("found {}, expected a whole number", found));
+            }
+            return static_cast<std::int64_t>(found);
+        });
     }
     std::size_t count(PlyType type) {
         const std::int64_t count = integer(type);

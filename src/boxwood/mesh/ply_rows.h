@@ -86,6 +86,12 @@ void read_ply_face(Cursor& cursor, const PlyBody& body, std::size_t row, PlyPoly
     if (corners - 2 > most)
         cursor.fail(
             fmt::format("found more than {} triangles, expected at most that", body.max_faces));
+    // Each of its triangles gets all numbers of a polygon, which a file could make very many.
+    const std::size_t numbers = body.face_numbers.size();
+    constexpr std::size_t kMostCopies = 32;
+    if (numbers > kMostCopies && corners - 2 > kMostCopies * (corners + numbers) / numbers)
+        cursor.fail(fmt::format("face {} has {} corners and {} numbers, expected fewer of them",
+                                row, corners, numbers));
     const std::size_t texture_numbers = polygon.texture_coordinates.size();
     if (body.face_texture_coordinates && texture_numbers != 2 * corners)
         cursor.warn(faces.warnings, "faces without texture coordinates, given zeros",

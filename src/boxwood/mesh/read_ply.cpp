@@ -50,9 +50,13 @@ private:
     }
 
     void find_elements() {
+        const auto find_some = [this](std::string_view name) {
+            const PlyElement* element = find_element(name);
+            return element && element->count > 0 ? element : nullptr;
+        };
         body_.vertices = find_element("vertex");
-        body_.faces = find_element("face");
-        body_.strips = find_element("tristrips");
+        body_.faces = find_some("face");
+        body_.strips = find_some("tristrips");
         if (!body_.vertices)
             throw ParseError(body_.name, body_.header.lines,
                              "the header has no element vertex, expected one");

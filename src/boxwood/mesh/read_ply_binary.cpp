@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+#include <cstring>
+#include <optional>
 #include <utility>
 
 #include "boxwood/core/error.h"
@@ -79,30 +82,71 @@ private:
 
     void read_vertices() {
         const std::size_t size = body_.vertices->least_size();
+        const std::optional<std::size_t> positions = find_positions();
         parallel_for(body_.vertices->count, kBlock, [&](std::size_t begin, std::size_t end) {
             // Column by column of what a cache holds.
             constexpr std::size_t kStep = 256;
             for (; begin < end; begin += kStep)
-                read_vertices(begin, std::min(begin + kStep, end), size);
+                read_vertices(begin, std::min(begin + kStep, end), size, positions);
         });
     }
 
-    void read_vertices(std::size_t begin, std::size_t end, std::size_t size) {
+    /// The property x, when y and z of the same floating type follow.
+    std::optional<std::size_t> find_positions() const {
+        const std::vector<PlyColumn>& columns = body_.vertex_columns;
+        const std::vector<PlyProperty>& properties = body_.vertices->properties;
+        for (std::size_t i = 0; i + 2 < columns.size(); ++i) {
+            bool is_found = is_floating(properties[i].type);
+            for (std::size_t k = 0; k < 3; ++k)
+                is_found = is_found && columns[i + k].role == PlyRole::position &&
+                           columns[i + k].component == static_cast<int>(k) &&
+                           properties[i + k].type == properties[i].type;
+            if (is_found) return i;
+        }
+        return std::nullopt;
+    }
+
+    void read_vertices(std::size_t begin, std::size_t end, std::size_t size,
+                       std::optional<std::size_t> positions) {
         const char* place = body_.text.data() + at_ + begin * size;
         for (std::size_t i = 0; i < body_.vertex_columns.size(); ++i) {
             const PlyColumn& column = body_.vertex_columns[i];
             const PlyType type = body_.vertices->properties[i].type;
             with_ply_type(type, [&](auto number) {
                 using Number = decltype(number);
-                const char* from = place;
-                for (std::size_t row = begin; row < end; ++row, from += size)
-                    column.set(row, static_cast<double>(load_ply<Number>(from, must_swap_)));
+                if (i == positions) {
+                    read_positions<Number>(place, begin, end, size);
+                } else if (!positions || i < *positions || i > *positions + 2) {
+                    const char* from = place;
+                    for (std::size_t row = begin; row < end; ++row, from += size)
+                        column.set(row, static_cast<double>(load_ply<Number>(from, must_swap_)));
+                }
             });
             place += size_of(type);
         }
+        // A sum keeps what isn't finite.
         Vec3d sum = Vec3d::Zero();
         for (std::size_t row = begin; row < end; ++row) sum += 0 * body_.mesh.vertices[row];
         if (!(sum.array() == 0).all()) body_.has_unfinite_vertices = true;
+    }
+
+    /// The three numbers of each at once.
+    template <class Number>
+    void read_positions(const char* from, std::size_t begin, std::size_t end, std::size_t size) {
+        Vec3d* const vertices = body_.mesh.vertices.data();
+        if (must_swap_) {
+            for (std::size_t row = begin; row < end; ++row, from += size) {
+                for (int k = 0; k < 3; ++k)
+                    vertices[row][k] = static_cast<double>(load_ply<Number>(
+                        from + static_cast<std::size_t>(k) * sizeof(Number), true));
+            }
+            return;
+        }
+        for (std::size_t row = begin; row < end; ++row, from += size) {
+            Number numbers[3];
+            std::memcpy(numbers, from, sizeof(numbers));
+            for (int k = 0; k < 3; ++k) vertices[row][k] = static_cast<double>(numbers[k]);
+        }
     }
 
     /// Reads the faces if they have no other lists and are triangles, with indices of 32 bits in
@@ -136,24 +180,37 @@ private:
 
     template <class Count>
     bool read_triangles(std::size_t offset, std::size_t size) {
-        const auto vertices = static_cast<std::uint32_t>(body_.vertices->count);
         const char* first = body_.text.data() + at_ + offset;
         std::atomic<bool> are_triangles = true;
         parallel_for(body_.faces->count, kBlock, [&](std::size_t begin, std::size_t end) {
             const char* place = first + begin * size;
-            bool is_bad = false;
-            for (std::size_t i = begin; i < end; ++i, place += size) {
-                is_bad |= load_ply<Count>(place, must_swap_) != 3;
-                const char* index = place + sizeof(Count);
-                for (int k = 0; k < 3; ++k, index += 4) {
-                    const auto corner = load_ply<std::uint32_t>(index, must_swap_);
-                    is_bad |= corner >= vertices;
-                    body_.mesh.faces[i][k] = static_cast<int>(corner);
-                }
-            }
-            if (is_bad) are_triangles = false;
+            if (!(must_swap_ ? read_triangles<Count, true>(place, size, begin, end)
+                             : read_triangles<Count, false>(place, size, begin, end)))
+                are_triangles = false;
         });
         return are_triangles;
+    }
+
+    template <class Count, bool must_swap>
+    bool read_triangles(const char* place, std::size_t size, std::size_t begin, std::size_t end) {
+        const auto vertices = static_cast<std::uint32_t>(body_.vertices->count);
+        Vec3i* const faces = body_.mesh.faces.data();
+        bool is_bad = false;
+        for (std::size_t i = begin; i < end; ++i, place += size) {
+            is_bad |= load_ply<Count>(place, must_swap) != 3;
+            std::uint32_t corners[3];
+            if constexpr (must_swap) {
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners[k] = load_ply<std::uint32_t>(place + sizeof(Count) + 4 * k, true);
+            } else {
+                std::memcpy(corners, place + sizeof(Count), sizeof(corners));
+            }
+            // Negative ones are too large without their sign.
+            is_bad |=
+                (corners[0] >= vertices) | (corners[1] >= vertices) | (corners[2] >= vertices);
+            std::memcpy(faces[i].data(), corners, sizeof(corners));
+        }
+        return !is_bad;
     }
 
     void read_face_numbers(std::size_t size) {

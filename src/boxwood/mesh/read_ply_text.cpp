@@ -95,15 +95,30 @@ private:
             chunk.first_content_line =
                 std::exchange(content_line, content_line + chunk.content_lines);
         }
-        std::size_t left = content_line;
+        check_size(content_line);
+    }
+
+    /// Before memory is spent.
+    void check_size(std::size_t lines) const {
+        // A number and what parts it from the next; the last may have nothing behind it.
+        std::size_t bytes = body_.text.size() - body_.header.bytes + 1;
         for (const PlyElement* element : elements_) {
-            if (element->count > left)
+            if (element->count > lines)
                 throw ParseError(
                     body_.name, element->line,
                     fmt::format("the header promises {} of the element {}, a line each, but the "
                                 "file has {}",
-                                element->count, boxwood::quoted(element->name), left));
-            left -= element->count;
+                                element->count, boxwood::quoted(element->name), lines));
+            const std::size_t numbers = element->properties.size();
+            if (element->count > bytes / (2 * numbers))
+                throw ParseError(
+                    body_.name, element->line,
+                    fmt::format("the header promises {} of the element {}, {} numbers each, but "
+                                "the file has {} bytes for them",
+                                element->count, boxwood::quoted(element->name), numbers,
+                                bytes - 1));
+            lines -= element->count;
+            bytes -= element->count * 2 * numbers;
         }
     }
 
