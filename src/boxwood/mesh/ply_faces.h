@@ -26,7 +26,7 @@ struct PlyFaceBatch {
     std::vector<Vec3i> texture_faces;
     std::vector<Vec2f> texture_coordinates;
     std::vector<std::vector<double>> numbers;  ///< of each property, one a triangle
-    std::size_t first_face = 0, first_texture_coordinate = 0;
+    std::size_t first_face = 0;
 
     /// At least three corners. The numbers of those properties are kept that are in the list.
     void add(const PlyPolygon& polygon, std::span<const std::size_t> properties,

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "boxwood/mesh/ply_body.h"
 
@@ -92,6 +93,10 @@ void read_ply_face(Cursor& cursor, const PlyBody& body, std::size_t row, PlyPoly
     if (numbers > kMostCopies && corners - 2 > kMostCopies * (corners + numbers) / numbers)
         cursor.fail(fmt::format("face {} has {} corners and {} numbers, expected fewer of them",
                                 row, corners, numbers));
+    constexpr std::size_t kMostIndices = std::numeric_limits<int>::max();
+    if (corners > kMostIndices - faces.polygons.texture_coordinates.size())
+        cursor.fail(fmt::format("face {} has {} corners, too many for this part of the file", row,
+                                corners));
     const std::size_t texture_numbers = polygon.texture_coordinates.size();
     if (body.face_texture_coordinates && texture_numbers != 2 * corners)
         cursor.warn(faces.warnings, "faces without texture coordinates, given zeros",

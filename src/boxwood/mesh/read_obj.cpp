@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -98,108 +99,99 @@ private:
 
     void join() {
         std::size_t count = 0;
-        for (ObjChunk& chunk : chunks_) {
+        for (ObjChunk& chunk : chunks_)
             chunk.first_face = std::exchange(count, count + chunk.faces.size());
-            mesh_.warnings.append(chunk.warnings);
-        }
         if (count > body_.max_faces)
             throw ParseError(
                 body_.name, "",
                 fmt::format("found {} faces, expected at most {}", count, body_.max_faces));
+        for_each_chunk(chunks_, [this](ObjChunk& chunk) { mend(chunk); });
 
         mesh_.faces.resize(count);
-        std::vector<Vec3i> texture_faces, normal_faces;
-        join_indices(&ObjChunk::texture_faces, count, texture_faces);
-        join_indices(&ObjChunk::normal_faces, count, normal_faces);
-        join_indices(&ObjChunk::faces, count, mesh_.faces);
-        mend_faces(texture_faces, normal_faces);
-
         MeshAttributes& attributes = mesh_.attributes;
-        attributes.texture_coordinates =
-            values_of_corners(body_.texture_coordinates, texture_faces, "texture coordinate");
-        attributes.normals = values_of_corners(body_.normals, normal_faces, "normal");
+        attributes.texture_coordinates = values_of_corners(
+            body_.texture_coordinates, &ObjChunk::texture_faces, "texture coordinate");
+        attributes.normals = values_of_corners(body_.normals, &ObjChunk::normal_faces, "normal");
+        join_faces();
         join_colors();
         attributes.groups = labels(&ObjChunk::groups);
         attributes.materials = labels(&ObjChunk::materials);
         for (const ObjChunk& chunk : chunks_) {
             for (const std::string& file : chunk.material_files) add_material_file(file);
+            mesh_.warnings.append(chunk.warnings);
         }
+        mesh_.warnings.append(warnings_);
     }
 
-    /// Stays empty when no chunk has such indices.
-    void join_indices(std::vector<Vec3i> ObjChunk::*part, std::size_t count,
-                      std::vector<Vec3i>& all) {
-        bool is_empty = true;
-        for (const ObjChunk& chunk : chunks_) is_empty = is_empty && (chunk.*part).empty();
-        if (is_empty) return;
-        all.resize(count);
-        for_each_chunk(chunks_, [&](ObjChunk& chunk) {
-            const auto place = all.begin() + static_cast<std::ptrdiff_t>(chunk.first_face);
-            std::vector<Vec3i>& indices = chunk.*part;
-            if (indices.empty()) {
-                std::fill_n(place, chunk.faces.size(), Vec3i::Constant(kNoIndex));
-            } else {
-                std::copy(indices.begin(), indices.end(), place);
-            }
-            // The faces come last, for the others ask for their number.
-            std::vector<Vec3i>().swap(indices);
-        });
-    }
-
-    void mend_faces(std::vector<Vec3i>& texture_faces, std::vector<Vec3i>& normal_faces) {
-        std::vector<PolygonFan> fans;
-        for (const ObjChunk& chunk : chunks_) {
-            for (const PolygonFan& fan : chunk.fans)
-                fans.push_back({chunk.first_face + fan.first_face, fan.corners});
-        }
+    void mend(ObjChunk& chunk) const {
         std::vector<std::vector<Vec3i>*> others;
-        if (!texture_faces.empty()) others.push_back(&texture_faces);
-        if (!normal_faces.empty()) others.push_back(&normal_faces);
-        const std::size_t unmended = mend_fans(mesh_.vertices, fans, mesh_.faces, others);
+        for (std::vector<Vec3i>* part : {&chunk.texture_faces, &chunk.normal_faces}) {
+            if (!part->empty()) others.push_back(part);
+        }
+        const std::size_t unmended = mend_fans(mesh_.vertices, chunk.fans, chunk.faces, others);
         for (std::size_t i = 0; i < unmended; ++i)
-            mesh_.warnings.add("concave polygons of too many corners, cut into fans", body_.name,
+            chunk.warnings.add("concave polygons of too many corners, cut into fans", body_.name,
                                "",
                                fmt::format("found a concave polygon of more than {} corners",
                                            kMostClippedCorners));
+        std::vector<PolygonFan>().swap(chunk.fans);
     }
 
     /// The values that the indices name, one a corner; or as they are, one a vertex, where each
     /// corner's index is that of its vertex.
     template <class Value>
     MeshValues<Value> values_of_corners(std::vector<Value>& values,
-                                        const std::vector<Vec3i>& indices, const char* what) {
+                                        std::vector<Vec3i> ObjChunk::*indices, const char* what) {
         MeshValues<Value> result;
-        if (indices.size() == mesh_.faces.size() && values.size() == mesh_.vertices.size() &&
-            indices == mesh_.faces) {
+        if (values.size() == mesh_.vertices.size() && are_all(indices, &ObjChunk::faces)) {
             result.values = std::move(values);
-            return result;
-        }
-        if (indices.empty()) {
+        } else if (are_all(indices, nullptr)) {
             for (std::size_t i = 0; i < values.size(); ++i)
-                mesh_.warnings.add(fmt::format("{}s, none of them used, skipped", what), body_.name,
-                                   "", fmt::format("{} {} belongs to no face", what, i + 1));
-            return result;
+                warnings_.add(fmt::format("{}s, none of them used, skipped", what), body_.name, "",
+                              fmt::format("{} {} belongs to no face", what, i + 1));
+        } else {
+            result.of = ValuesOf::corners;
+            result.values.resize(3 * mesh_.faces.size());
+            for_each_chunk(chunks_, [&](ObjChunk& chunk) {
+                spread(values, chunk.*indices, chunk, what, result.values);
+            });
         }
-        for (std::size_t i = 0; i < indices.size(); ++i) {
-            if ((indices[i].array() == kNoIndex).any())
-                mesh_.warnings.add(fmt::format("faces without {}s, given zeros", what), body_.name,
-                                   fmt::format("face {}", i),
+        for (ObjChunk& chunk : chunks_) std::vector<Vec3i>().swap(chunk.*indices);
+        return result;
+    }
+
+    /// Whether the indices are the same as others in all chunks, or empty for null.
+    bool are_all(std::vector<Vec3i> ObjChunk::*indices, std::vector<Vec3i> ObjChunk::*others) {
+        std::atomic<bool> are_same = true;
+        for_each_chunk(chunks_, [&](const ObjChunk& chunk) {
+            if (others ? chunk.*indices != chunk.*others : !(chunk.*indices).empty())
+                are_same = false;
+        });
+        return are_same;
+    }
+
+    template <class Value>
+    void spread(const std::vector<Value>& values, const std::vector<Vec3i>& indices,
+                ObjChunk& chunk, const char* what, std::vector<Value>& of_corners) const {
+        Value* corner = of_corners.data() + 3 * chunk.first_face;
+        for (std::size_t i = 0; i < chunk.faces.size(); ++i) {
+            const Vec3i face = indices.empty() ? Vec3i::Constant(kNoIndex) : indices[i];
+            for (const int index : face)
+                *corner++ = index == kNoIndex ? Value(Value::Zero())
+                                              : values[static_cast<std::size_t>(index)];
+            if ((face.array() == kNoIndex).any())
+                chunk.warnings.add(fmt::format("faces without {}s, given zeros", what), body_.name,
+                                   fmt::format("face {}", chunk.first_face + i),
                                    fmt::format("found no {}, expected one a corner", what));
         }
-        result.of = ValuesOf::corners;
-        result.values.resize(3 * indices.size());
-        parallel_for(indices.size(), 4096, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                for (int k = 0; k < 3; ++k) {
-                    const int index = indices[i][k];
-                    result.values[3 * i + static_cast<std::size_t>(k)] =
-                        index == kNoIndex ? Value(Value::Zero())
-                                          : values[static_cast<std::size_t>(index)];
-                }
-            }
+    }
+
+    void join_faces() {
+        for_each_chunk(chunks_, [this](ObjChunk& chunk) {
+            std::copy(chunk.faces.begin(), chunk.faces.end(),
+                      mesh_.faces.begin() + static_cast<std::ptrdiff_t>(chunk.first_face));
+            std::vector<Vec3i>().swap(chunk.faces);
         });
-        std::vector<Value>().swap(values);
-        return result;
     }
 
     void join_colors() {
@@ -216,8 +208,8 @@ private:
         for (std::size_t i = 0; i < colors.size(); ++i) {
             if (!colors[i].array().isNaN().all()) continue;
             colors[i] = VertexColor::Ones();
-            mesh_.warnings.add("vertices without a colour, made white", body_.name, "",
-                               fmt::format("vertex {}: found no colour, expected one", i + 1));
+            warnings_.add("vertices without a colour, made white", body_.name, "",
+                          fmt::format("vertex {}: found no colour, expected one", i + 1));
         }
     }
 
@@ -259,6 +251,7 @@ private:
     std::unordered_set<std::string> material_files_;
     ObjBody body_;
     MeshData mesh_;
+    Warnings warnings_;  ///< of the mesh as a whole
 };
 
 }  // namespace

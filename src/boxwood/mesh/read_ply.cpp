@@ -36,7 +36,6 @@ public:
         parts_ =
             body_.header.format == PlyFormat::ascii ? read_ply_text(body_) : read_ply_binary(body_);
         warn_of_unfinite_vertices();
-        for (const PlyFaces& part : parts_) mesh_.warnings.append(part.warnings);
         join();
         return std::move(mesh_);
     }
@@ -141,98 +140,72 @@ private:
     }
 
     void join() {
-        std::size_t polygons = mesh_.faces.size(), strips = 0, texture_coordinates = 0;
+        std::size_t polygons = mesh_.faces.size(), strips = 0;
         for (PlyFaces& part : parts_) {
             part.polygons.first_face = polygons;
             polygons += part.polygons.faces.size();
-            part.polygons.first_texture_coordinate = texture_coordinates;
-            texture_coordinates += part.polygons.texture_coordinates.size();
         }
         for (PlyFaces& part : parts_) {
             part.strips.first_face = polygons + strips;
             strips += part.strips.faces.size();
         }
-        check_count(polygons + strips, "triangles", body_.max_faces);
-        check_count(texture_coordinates, "texture coordinates of corners",
-                    static_cast<std::size_t>(std::numeric_limits<int>::max()));
-        if (body_.faces && !body_.has_faces) join_polygons(polygons, texture_coordinates);
-        if (strips > 0) join_strips(polygons + strips);
-    }
-
-    void check_count(std::size_t count, const char* what, std::size_t most) const {
-        if (count > most)
+        if (polygons + strips > body_.max_faces)
             throw ParseError(body_.name, "",
-                             fmt::format("found {} {}, expected at most {}", count, what, most));
+                             fmt::format("found {} triangles, expected at most {}",
+                                         polygons + strips, body_.max_faces));
+        if (body_.faces && !body_.has_faces) join_polygons(polygons);
+        if (strips > 0) join_strips(polygons + strips);
+        for (const PlyFaces& part : parts_) mesh_.warnings.append(part.warnings);
     }
 
-    void join_polygons(std::size_t triangles, std::size_t texture_coordinates) {
+    void join_polygons(std::size_t triangles) {
+        for_each_chunk(parts_, [this](PlyFaces& part) { mend(part); });
         mesh_.faces.resize(triangles);
         bind_columns(body_.face_columns, *body_.faces, ValuesOf::faces, triangles, mesh_);
-        const bool has_texture = body_.face_texture_coordinates.has_value();
-        std::vector<Vec3i> texture_faces(has_texture ? triangles : 0);
-        std::vector<Vec2f> texture_values(texture_coordinates);
-        std::vector<PolygonFan> fans;
-        for (const PlyFaces& part : parts_) {
-            for (const PolygonFan& fan : part.polygons.fans)
-                fans.push_back({part.polygons.first_face + fan.first_face, fan.corners});
+        MeshValues<Vec2f>& texture = mesh_.attributes.texture_coordinates;
+        if (body_.face_texture_coordinates) {
+            texture.of = ValuesOf::corners;
+            texture.values.resize(3 * triangles);
         }
         for_each_chunk(parts_, [&](PlyFaces& part) {
-            PlyFaceBatch& batch = part.polygons;
+            const PlyFaceBatch& batch = part.polygons;
             const std::size_t first = batch.first_face;
             std::copy(batch.faces.begin(), batch.faces.end(),
-                      mesh_.faces.begin() + signed_of(first));
-            const Vec3i first_texture =
-                Vec3i::Constant(static_cast<int>(batch.first_texture_coordinate));
-            for (std::size_t i = 0; i < batch.texture_faces.size(); ++i)
-                texture_faces[first + i] = batch.texture_faces[i] + first_texture;
-            std::copy(batch.texture_coordinates.begin(), batch.texture_coordinates.end(),
-                      texture_values.begin() + signed_of(batch.first_texture_coordinate));
+                      mesh_.faces.begin() + static_cast<std::ptrdiff_t>(first));
+            for (std::size_t i = 0; i < batch.texture_faces.size(); ++i) {
+                for (int k = 0; k < 3; ++k)
+                    texture.values[3 * (first + i) + static_cast<std::size_t>(k)] =
+                        batch.texture_coordinates[static_cast<std::size_t>(
+                            batch.texture_faces[i][k])];
+            }
             for (std::size_t k = 0; k < batch.numbers.size(); ++k) {
                 const PlyColumn& column = body_.face_columns[body_.face_numbers[k]];
                 for (std::size_t i = 0; i < batch.numbers[k].size(); ++i)
                     column.set(first + i, batch.numbers[k][i]);
             }
-            batch = {};
+            part.polygons = {};
         });
-        mend(fans, texture_faces);
-        if (has_texture) set_texture_coordinates(texture_faces, texture_values);
     }
 
-    static std::ptrdiff_t signed_of(std::size_t place) {
-        return static_cast<std::ptrdiff_t>(place);
-    }
-
-    void mend(const std::vector<PolygonFan>& fans, std::vector<Vec3i>& texture_faces) {
+    void mend(PlyFaces& part) const {
+        PlyFaceBatch& batch = part.polygons;
         std::vector<std::vector<Vec3i>*> others;
-        if (!texture_faces.empty()) others.push_back(&texture_faces);
-        const std::size_t unmended = mend_fans(mesh_.vertices, fans, mesh_.faces, others);
+        if (!batch.texture_faces.empty()) others.push_back(&batch.texture_faces);
+        const std::size_t unmended = mend_fans(mesh_.vertices, batch.fans, batch.faces, others);
         for (std::size_t i = 0; i < unmended; ++i)
-            mesh_.warnings.add("concave polygons of too many corners, cut into fans", body_.name,
-                               "",
-                               fmt::format("found a concave polygon of more than {} corners",
-                                           kMostClippedCorners));
-    }
-
-    void set_texture_coordinates(const std::vector<Vec3i>& indices,
-                                 const std::vector<Vec2f>& values) {
-        MeshValues<Vec2f>& result = mesh_.attributes.texture_coordinates;
-        result.of = ValuesOf::corners;
-        result.values.resize(3 * indices.size());
-        parallel_for(indices.size(), 4096, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                for (std::size_t k = 0; k < 3; ++k)
-                    result.values[3 * i + k] =
-                        values[static_cast<std::size_t>(indices[i][static_cast<int>(k)])];
-            }
-        });
+            part.warnings.add("concave polygons of too many corners, cut into fans", body_.name, "",
+                              fmt::format("found a concave polygon of more than {} corners",
+                                          kMostClippedCorners));
+        std::vector<PolygonFan>().swap(batch.fans);
     }
 
     /// Behind the other faces; what those have, strips don't.
     void join_strips(std::size_t faces) {
         mesh_.faces.resize(faces);
         for_each_chunk(parts_, [&](PlyFaces& part) {
+            const auto first = static_cast<std::ptrdiff_t>(part.strips.first_face);
             std::copy(part.strips.faces.begin(), part.strips.faces.end(),
-                      mesh_.faces.begin() + signed_of(part.strips.first_face));
+                      mesh_.faces.begin() + first);
             part.strips = {};
         });
         if (!body_.faces) return;

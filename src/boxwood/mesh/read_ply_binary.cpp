@@ -243,6 +243,7 @@ private:
             PlyBinaryCursor cursor(body_.text, block.first_byte, must_swap_, body_.name);
             PlyPolygon polygon;
             std::vector<int> indices;
+            if (&element == body_.faces) block.faces.polygons.faces.reserve(block.rows);
             for (std::size_t i = 0; i < block.rows; ++i) {
                 const std::size_t row = block.first_row + i;
                 if (&element == body_.vertices) {
