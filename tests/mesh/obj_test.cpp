@@ -86,6 +86,21 @@ TEST(ReadObj, polygons_become_fans_and_concave_ones_are_cut_so_that_they_are_cov
     }
 }
 
+TEST(ReadObj, concave_polygons_too_large_to_be_cut_well_are_counted) {
+    std::string star, face = "f";
+    for (int i = 0; i < 1200; ++i) {
+        const double angle = i * 3.14159265358979 / 600, radius = i % 2 == 0 ? 1 : 0.5;
+        star += "v " + std::to_string(radius * std::cos(angle)) + " " +
+                std::to_string(radius * std::sin(angle)) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    const MeshData mesh = parsed_obj(star + face + "\n");
+    EXPECT_EQ(mesh.faces.size(), 1198u);
+    EXPECT_EQ(warnings_of(mesh), Strings{"concave polygons of too many corners, cut into fans (1): "
+                                         "mesh: found a concave polygon of more than 1024 "
+                                         "corners"});
+}
+
 TEST(ReadObj, corners_may_have_texture_coordinates_and_normals) {
     const std::string values =
         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 .5\nvt 9 9\nvn 0 0 1\nvn 0 1 0\n" + kSquare;
