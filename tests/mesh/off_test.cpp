@@ -187,7 +187,8 @@ TEST(MeshFile, an_extension_of_no_format_is_invalid_input) {
         }
         return "none";
     };
-    const std::string of_png = "mesh.PNG: found .PNG, expected a mesh file that ends in .off, .obj, .ply";
+    const std::string of_png =
+        "mesh.PNG: found .PNG, expected a mesh file that ends in .off, .obj, .ply";
     const std::string of_none =
         "mesh: found a name without extension, expected a mesh file that ends in .off, .obj, .ply";
     EXPECT_EQ(complaint([] { read_mesh("mesh.PNG"); }), of_png);
