@@ -8,7 +8,9 @@
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/gltf.h"
+#include "boxwood/mesh/obj.h"
 #include "boxwood/mesh/off.h"
+#include "boxwood/mesh/ply.h"
 #include "boxwood/mesh/stl.h"
 
 namespace boxwood {
@@ -51,10 +53,12 @@ const MeshFormat* find_format(fs::path path) {
 
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
+        {".obj", "Wavefront OBJ", parse_obj, write_obj},
+        {".ply", "Polygon File Format", parse_ply, write_ply},
+        {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
+        {".off", "Object File Format", parse_off, write_off, is_held_by_off},
         {".gltf", "glTF 2.0", parse_gltf, write_gltf},
         {".glb", "glTF 2.0, binary", parse_gltf, write_glb},
-        {".off", "Object File Format", parse_off, write_off, is_held_by_off},
-        {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
     };
     return kFormats;
 }
