@@ -20,6 +20,6 @@ function(boxwood_sources_per_instruction_set target prefix)
     foreach(set ${boxwood_instruction_sets})
         target_sources(${target} PRIVATE ${prefix}_${set}.cpp)
         set_source_files_properties(${prefix}_${set}.cpp
-            PROPERTIES COMPILE_OPTIONS "${boxwood_flags_${set}}")
+            PROPERTIES COMPILE_OPTIONS "${boxwood_flags_${set}}" SKIP_PRECOMPILE_HEADERS ON)
     endforeach()
 endfunction()

@@ -1,8 +1,16 @@
 # Is Boxwood of use to another project? Builds and runs tests/consumer with the library installed
 # into a scratch prefix, and with the library as a folder of the project.
 
+# The second one compiles the whole library: with a compiler cache as it was compiled already, else in
+# the way that takes the least time.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
+    set(consumer_build_type ${CMAKE_BUILD_TYPE})
+else()
+    set(consumer_build_type Debug)
+endif()
+
 set(consumer_settings
-    -DCMAKE_BUILD_TYPE=Debug
+    -DCMAKE_BUILD_TYPE=${consumer_build_type}
     -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS})

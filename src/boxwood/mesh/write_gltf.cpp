@@ -125,7 +125,7 @@ private:
         // The format wants a primitive and vertices; what is empty becomes an empty scene.
         if (primitives.empty()) {
             json_.erase("nodes");
-            json_["scenes"] = {Json::object()};
+            json_["scenes"] = Json::array({Json::object()});
         } else {
             json_["meshes"] = {{{"primitives", std::move(primitives)}}};
         }
