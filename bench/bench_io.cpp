@@ -141,6 +141,7 @@ std::vector<Target> targets_of(const std::vector<IoScore>& scores,
         targets.push_back(over_meshes("PLY, text: 0.25 s to what it took", 1, 1,
                                       {{"dragon_871k", 0.25 / dragon}}));
     std::vector<std::pair<std::string, double>> ratios;
+    ratios.reserve(memory.size());
     for (const MemoryScore& score : memory)
         ratios.emplace_back(score.mesh + ", " + score.format, 2 / score.meshes());
     targets.push_back(over_meshes("memory: 2 meshes to the most it took", 1, 1, ratios));
