@@ -125,7 +125,8 @@ make_data() {
     make_mesh bunny 6823a95fc87aacc6e0aa8cd2a7efc3dbdae60b524ca97c06eaa19e4cadcbe476 bunny
     say "data: files for parsers, by assimp's developers: 3-clause BSD, says Debian's assimp-testmodels"
     make_folder assimp eb447a2c73472edba2ecda38f95c8c233b594d2286d3350c2431e7a3f1d32031 build/fetched/assimp-testmodels/usr/share/assimp/models
-    say "data: CGAL's meshes, by many: GPL-3+ or LGPL-3+ as a whole, says Debian's libcgal-demo"
+    say "data: CGAL's meshes, by many: files without a notice of their own are CC0 1.0, says Debian's" \
+        "libcgal-dev"
     unpack_cgal
     make_folder cgal 5e137cd8cc8701443d34cffbe8f13201637f655cf4f14ea5f989391017372dd3 build/fetched/libcgal-demo/data/meshes
     make_seeds
