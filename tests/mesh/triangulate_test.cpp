@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -72,6 +73,22 @@ TEST(Triangulate, a_concave_quad_is_cut_along_its_other_diagonal) {
     EXPECT_GT(area(turned), 5);
     mend(turned);
     EXPECT_NEAR(area(turned), 4, 1e-12);
+}
+
+TEST(Triangulate, a_quad_that_crosses_itself_stays_a_fan) {
+    const std::vector<Vec3d> bow_tie = {{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 3, 0}};
+    for (std::size_t first = 0; first < 4; ++first) {
+        for (const bool is_reversed : {false, true}) {
+            std::vector<Vec3d> polygon = bow_tie;
+            std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first),
+                        polygon.end());
+            if (is_reversed) std::reverse(polygon.begin(), polygon.end());
+            TriangleMesh mesh = fan_of(polygon);
+            const TriangleMesh fan = mesh;
+            EXPECT_EQ(mend(mesh), 0u);
+            EXPECT_EQ(mesh.faces, fan.faces) << first << is_reversed;
+        }
+    }
 }
 
 TEST(Triangulate, concave_polygons_are_covered_without_overlap) {

@@ -5,6 +5,7 @@
 #include "boxwood/mesh/triangulate.h"
 
 #include <atomic>
+#include <cmath>
 
 #include "boxwood/core/parallel.h"
 
@@ -55,22 +56,28 @@ public:
             before_[i] = (i + n - 1) % n;
             after_[i] = (i + 1) % n;
         }
+        double sum = 0;
         for (int i = 0; i < n; ++i) {
             if (turn_at(i) <= 0) inward_.push_back(i);
+            sum += std::abs(turn_at(i));
         }
+        flat_ = 1e-12 * sum;
     }
 
+    /// None when there are no more ears before the end: the polygon crosses itself.
     std::vector<Vec3i> triangles() {
         std::vector<Vec3i> result;
         int at = 0;
         for (std::size_t left = points_.size(); left > 3; --left) {
             at = next_ear(at, left);
+            if (at < 0) return {};
             result.emplace_back(before_[at], at, after_[at]);
             after_[before_[at]] = after_[at];
             before_[after_[at]] = before_[at];
             std::erase_if(inward_, [&](int i) { return i == at || turn_at(i) > 0; });
             at = after_[at];
         }
+        if (!(turn_at(at) >= -flat_)) return {};
         result.emplace_back(before_[at], at, after_[at]);
         return result;
     }
@@ -90,19 +97,20 @@ private:
         return true;
     }
 
-    /// The next one from a corner on. A polygon that crosses itself may have none: then a corner
-    /// that covers no area goes, or any.
+    /// The next one from a corner on; without any, a corner that covers no area, but for rounding,
+    /// or -1.
     int next_ear(int from, std::size_t left) const {
-        int at = from, flat = -1;
+        int at = from, flattest = from;
         for (std::size_t i = 0; i < left; ++i, at = after_[at]) {
             if (is_ear(at)) return at;
-            if (flat < 0 && turn_at(at) == 0) flat = at;
+            if (std::abs(turn_at(at)) < std::abs(turn_at(flattest))) flattest = at;
         }
-        return flat >= 0 ? flat : from;
+        return std::abs(turn_at(flattest)) <= flat_ ? flattest : -1;
     }
 
     std::span<const Vec2d> points_;
     std::vector<int> before_, after_;
+    double flat_ = 0;          ///< turns of at most this are rounding
     std::vector<int> inward_;  ///< corners that turn the wrong way, or not at all
 };
 
@@ -135,6 +143,7 @@ std::size_t mend_fans(std::span<const Vec3d> vertices, std::span<const PolygonFa
                 continue;
             }
             const std::vector<Vec3i> triangles = EarClipping(points).triangles();
+            if (triangles.empty()) continue;
             reorder(faces, fan, triangles);
             for (std::vector<Vec3i>* other : others) reorder(*other, fan, triangles);
         }
