@@ -7,6 +7,10 @@ function(boxwood_precompile target)
     if(BOXWOOD_PRECOMPILED_HEADERS)
         target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath>
             <cstdint> <filesystem> <limits> <optional> <span> <string> <string_view> <vector> ${ARGN})
+        # GCC 12 then warns of overflows in std::string where there are none.
+        target_compile_options(${target} PRIVATE
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
         # So that ccache can tell what is in them.
         target_compile_options(${target} PRIVATE
             $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>

@@ -93,8 +93,8 @@ private:
 
     void check_depth(int depth) const {
         if (static_cast<std::uint64_t>(depth) > max_depth_)
-            fail(read() - 1, fmt::format("found a value in {} others, expected at most {}", depth,
-                                         max_depth_));
+            fail(read() - 1,
+                 fmt::format("found a value in {} others, expected at most {}", depth, max_depth_));
     }
 
     /// JSON's own rule leaves open which of two equal keys counts, so neither does.

@@ -94,6 +94,7 @@ MeshData split_corners(MeshView mesh, const MeshAttributes& attributes) {
     for (MeshField& field : result.attributes.fields) {
         if (field.of != ValuesOf::vertices) continue;
         std::vector<double> values;
+        values.reserve(firsts.size());
         for (const std::size_t corner : firsts)
             values.push_back(field.values[static_cast<std::size_t>(vertex_of(corner))]);
         field.values = std::move(values);

@@ -12,7 +12,7 @@ namespace {
 
 Vec3d unit(const JsonReader& json) {
     const Vec3d direction = json.vec3();
-    const Vec3d result = direction.stableNormalized();
+    Vec3d result = direction.stableNormalized();
     if (direction.isZero(0) || !result.allFinite()) json.fail("a direction that isn't zero");
     return result;
 }

@@ -137,8 +137,9 @@ private:
         try {
             const auto folder = source_.path.parent_path();
             if (const auto refusal = refusal_of(folder, name, options_.allow_outside_files))
-                throw ParseError(source_.name(), line,
-                                 fmt::format("found {}, expected {}", quoted(std::string_view(name)), *refusal));
+                throw ParseError(
+                    source_.name(), line,
+                    fmt::format("found {}, expected {}", quoted(std::string_view(name)), *refusal));
             const FileContent content(folder / name, options_.limits);
             Texture texture;
             texture.image = parse_image(content.bytes(), (folder / name).string());

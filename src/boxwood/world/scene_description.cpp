@@ -37,6 +37,7 @@ std::size_t known(const JsonReader& value, const std::map<std::string, std::size
     const auto found = places.find(value.string());
     if (found != places.end()) return found->second;
     std::vector<std::string> names;
+    names.reserve(places.size());
     for (const auto& [name, place] : places) names.push_back(name);
     if (names.empty() || names.size() > 10) value.fail(fmt::format("the name of a {}", what));
     value.fail(fmt::format("the name of a {}: {}", what, fmt::join(names, ", ")));

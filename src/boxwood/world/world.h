@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -70,7 +71,8 @@ struct World {
 inline void use_camera(World& world, std::size_t i) {
     const NamedCamera& chosen = world.cameras.at(i);
     world.camera = chosen.camera;
-    world.picture.width = std::max(1, static_cast<int>(world.picture.height * chosen.aspect + 0.5));
+    world.picture.width =
+        std::max(1, static_cast<int>(std::lround(world.picture.height * chosen.aspect)));
 }
 
 }  // namespace boxwood
