@@ -21,7 +21,6 @@ struct ConvertArguments {
 
 void warn_of_losses(const MeshAttributes& attributes, const std::string& output) {
     const MeshFormat& format = mesh_format_of(output);
-    if (!format.holds) return;
     for (const AttributeName& attribute : attribute_names(attributes)) {
         if (!format.holds(attribute))
             fmt::print(stderr, "boxwood: warning: {}: left out {}, which {} has no place for\n",

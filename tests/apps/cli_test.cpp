@@ -221,6 +221,51 @@ TEST_F(Cli, convert_carries_attributes_over_and_says_which_are_lost) {
         "for\n");
 }
 
+TEST_F(Cli, every_format_is_written_read_and_rendered_by_itself) {
+    for (const char* extension : {"obj", "ply", "stl", "off", "gltf", "glb"}) {
+        const std::string file = std::string("ball.") + extension;
+        EXPECT_EQ(run("convert icosphere:80 " + file).exit_code, 0) << file;
+        const Outcome info = run("info --json " + file);
+        EXPECT_EQ(nlohmann::json::parse(info.out)["faces"], 80) << file;
+        const Outcome outcome = run("render " + file + " --size 40x30 --samples 1 -o ball.png");
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const auto picture = boxwood::read_png(folder_.path() / "ball.png");
+        EXPECT_NE(picture.at(20, 15), picture.at(0, 0)) << file << ": the ball is in the middle";
+    }
+}
+
+TEST_F(Cli, convert_says_what_each_format_has_no_place_for) {
+    write("mesh.ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+          "property float z\nproperty float heat\nelement face 1\n"
+          "property list uchar int vertex_indices\nend_header\n0 0 0 1\n1 0 0 2\n0 1 0 3\n"
+          "3 0 1 2\n");
+    for (const char* extension : {"obj", "off", "stl", "glb"})
+        EXPECT_NE(run(std::string("convert mesh.ply mesh2.") + extension)
+                      .err.find("left out field heat of vertices"),
+                  std::string::npos)
+            << extension;
+    write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\ng left\nf 1 2 3\n");
+    const std::string lost = run("convert mesh.obj other.ply").err;
+    EXPECT_NE(lost.find("left out groups"), std::string::npos) << lost;
+    EXPECT_NE(lost.find("left out materials"), std::string::npos) << lost;
+    EXPECT_EQ(run("convert mesh.ply mesh3.ply").err, "");
+    EXPECT_EQ(run("convert mesh.obj mesh3.obj").err, "");
+}
+
+TEST_F(Cli, an_upgraded_scene_gives_the_same_picture) {
+    write_scene();
+    const Outcome outcome = run("scene upgrade scene.json -o new.json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const char* options : {"", " --integrator whitted --samples 4"}) {
+        run(std::string("render scene.json --size 32x24 -o old.png") + options);
+        run(std::string("render new.json --size 32x24 -o new.png") + options);
+        EXPECT_EQ(boxwood::read_png(folder_.path() / "new.png").pixels,
+                  boxwood::read_png(folder_.path() / "old.png").pixels)
+            << options;
+    }
+}
+
 TEST_F(Cli, help_lists_the_formats_there_are) {
     EXPECT_NE(run("info --help").out.find(".off"), std::string::npos);
     EXPECT_NE(run("convert --help").out.find(".stl"), std::string::npos);
@@ -319,7 +364,7 @@ TEST_F(Cli, wrong_usage_exits_with_2) {
 }
 
 TEST_F(Cli, each_subcommand_has_help_with_an_example) {
-    for (const char* command : {"render", "demo", "info", "bench", "convert"}) {
+    for (const char* command : {"render", "demo", "info", "bench", "convert", "scene"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_NE(outcome.out.find(std::string("Example:\n  boxwood ") + command),

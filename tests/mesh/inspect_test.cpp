@@ -9,30 +9,13 @@
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
+#include "mesh/small_meshes.h"
 
 namespace boxwood {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A tetrahedron, outside in front.
-TriangleMesh tetrahedron() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-            {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-}
-
-/// The same triangles without a shared vertex.
-TriangleMesh torn_apart(const TriangleMesh& mesh) {
-    TriangleMesh result;
-    for (const Vec3i& face : mesh.faces) {
-        const int first = static_cast<int>(result.vertices.size());
-        for (const int index : face)
-            result.vertices.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
-        result.faces.emplace_back(first, first + 1, first + 2);
-    }
-    return result;
-}
 
 std::size_t degenerate(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return inspect(TriangleMesh{{a, b, c}, {{0, 1, 2}}}).degenerate_faces;

@@ -10,6 +10,7 @@
 #include "boxwood/core/random.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/inspect.h"
+#include "mesh/small_meshes.h"
 
 namespace boxwood {
 namespace {
@@ -21,23 +22,6 @@ MeshData data_of(TriangleMesh mesh) {
     MeshData data;
     static_cast<TriangleMesh&>(data) = std::move(mesh);
     return data;
-}
-
-MeshData tetrahedron() {
-    return data_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
-}
-
-/// The same triangles without a shared vertex.
-MeshData torn_apart(const TriangleMesh& mesh) {
-    MeshData result;
-    for (const Vec3i& face : mesh.faces) {
-        const int first = static_cast<int>(result.vertices.size());
-        for (const int index : face)
-            result.vertices.push_back(mesh.vertices[static_cast<std::size_t>(index)]);
-        result.faces.emplace_back(first, first + 1, first + 2);
-    }
-    return result;
 }
 
 /// Two triangles side by side, without a shared vertex.
@@ -104,7 +88,7 @@ TEST(Weld, values_that_differ_become_those_of_corners) {
 
 TEST(Weld, a_torn_surface_is_whole_again) {
     const TriangleMesh whole = generate_gyroid(20000);
-    MeshData mesh = torn_apart(whole);
+    MeshData mesh = data_of(torn_apart(whole));
     weld_vertices(mesh);
     EXPECT_EQ(mesh.vertices.size(), whole.vertices.size());
     EXPECT_TRUE(inspect(mesh).closed);
@@ -135,7 +119,7 @@ TEST(DropDegenerate, what_has_no_area_or_no_place_goes_and_the_rest_keeps_what_i
 }
 
 TEST(Orient, a_turned_face_is_turned_back) {
-    MeshData mesh = tetrahedron();
+    MeshData mesh = data_of(tetrahedron());
     const std::vector<Vec3i> faces = mesh.faces;
     turn(mesh.faces[0]);
     const RepairReport report = orient_faces(mesh);
@@ -145,7 +129,7 @@ TEST(Orient, a_turned_face_is_turned_back) {
 }
 
 TEST(Orient, each_closed_component_gets_a_positive_volume) {
-    MeshData mesh = tetrahedron();
+    MeshData mesh = data_of(tetrahedron());
     for (const Vec3d& p : tetrahedron().vertices) mesh.vertices.push_back(p + Vec3d(5, 5, 5));
     for (const Vec3i& face : tetrahedron().faces) mesh.faces.push_back(face + Vec3i(4, 4, 4));
     for (std::size_t i = 4; i < 8; ++i) turn(mesh.faces[i]);
@@ -188,7 +172,7 @@ TEST(Orient, a_moebius_strip_is_told_to_be_impossible) {
 
 TEST(Orient, a_random_mess_becomes_the_mesh_it_was) {
     const TriangleMesh whole = generate_torus_knot(20000);
-    MeshData mesh = torn_apart(whole);
+    MeshData mesh = data_of(torn_apart(whole));
     const std::vector<Vec3i> faces = mesh.faces;
     std::size_t turned = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -201,7 +185,7 @@ TEST(Orient, a_random_mess_becomes_the_mesh_it_was) {
 }
 
 TEST(Repair, steps_are_taken_in_order_and_what_they_did_is_told) {
-    MeshData mesh = torn_apart(tetrahedron());
+    MeshData mesh = data_of(torn_apart(tetrahedron()));
     mesh.faces.emplace_back(0, 0, 1);
     turn(mesh.faces[2]);
     const RepairStep steps[] = {RepairStep::weld, RepairStep::drop_degenerate, RepairStep::orient};
@@ -225,7 +209,7 @@ TEST(Repair, nothing_can_be_repaired_too) {
 TEST(Repair, the_result_does_not_depend_on_the_number_of_threads) {
     const auto repaired_with = [](std::size_t threads) {
         const ThreadLimit limit(threads);
-        MeshData mesh = torn_apart(generate_gyroid(30000));
+        MeshData mesh = data_of(torn_apart(generate_gyroid(30000)));
         for (std::size_t i = 0; i < mesh.vertices.size(); i += 50) mesh.vertices[i] = Vec3d::Zero();
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
             mesh.attributes.normals.values.emplace_back(static_cast<float>(i), 0, 0);

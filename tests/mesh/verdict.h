@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
-#include "boxwood/mesh/mesh_data.h"
-#include "boxwood/mesh/mesh_source.h"
+#include "mesh/parse.h"
 
 namespace boxwood {
 
@@ -19,9 +18,8 @@ struct BadFile {
 
 /// What a reader says of a file: the message of its error, or else its warnings as
 /// "KIND (COUNT): FIRST MESSAGE", parted by "; ", or "fine". The file's name is left out.
-template <class Parse>
-std::string verdict_on(const Parse& parse, std::string_view bytes,
-                       const ReadOptions& options = {}) {
+inline std::string verdict_on(Parse parse, std::string_view bytes,
+                              const ReadOptions& options = {}) {
     const std::string name = "mesh:";
     const auto without_name = [&](std::string text) {
         return text.starts_with(name) ? text.substr(text.find_first_not_of(' ', name.size()))

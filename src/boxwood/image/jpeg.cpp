@@ -24,6 +24,9 @@ Rgba8Image parse_jpeg(std::string_view bytes, const std::string& name) {
     if (tjDecompressHeader3(handle.get(), data, bytes.size(), &width, &height, &subsampling,
                             &colors) != 0)
         fail();
+    // A header that is cut off may pass for one of no size.
+    if (width < 1 || height < 1)
+        throw ParseError(name, "", "not a readable JPEG: found no pixels, expected some");
     if (!is_image_size(width, height))
         throw ParseError(name, "", "found a picture beyond 2^28 pixels, expected a smaller one");
     Rgba8Image image(width, height, {});

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "boxwood/mesh/attribute_names.h"
 #include "boxwood/mesh/mesh_data.h"
 #include "boxwood/mesh/mesh_source.h"
 
@@ -20,5 +21,8 @@ MeshData parse_gltf(const MeshSource& source, const ReadOptions& options = {});
 /// IoError, and InvalidInput on more data than a .glb can hold.
 void write_glb(const std::filesystem::path& path, MeshView mesh, const MeshAttributes& attributes);
 void write_gltf(const std::filesystem::path& path, MeshView mesh, const MeshAttributes& attributes);
+
+/// Whether write_gltf keeps an attribute.
+bool is_held_by_gltf(const AttributeName& attribute);
 
 }  // namespace boxwood

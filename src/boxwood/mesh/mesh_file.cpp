@@ -53,12 +53,12 @@ const MeshFormat* find_format(fs::path path) {
 
 std::span<const MeshFormat> mesh_formats() {
     static constexpr MeshFormat kFormats[] = {
-        {".obj", "Wavefront OBJ", parse_obj, write_obj},
-        {".ply", "Polygon File Format", parse_ply, write_ply},
+        {".obj", "Wavefront OBJ", parse_obj, write_obj, is_held_by_obj},
+        {".ply", "Polygon File Format", parse_ply, write_ply, is_held_by_ply},
         {".stl", "STL", parse_stl, write_stl, is_held_by_stl},
         {".off", "Object File Format", parse_off, write_off, is_held_by_off},
-        {".gltf", "glTF 2.0", parse_gltf, write_gltf},
-        {".glb", "glTF 2.0, binary", parse_gltf, write_glb},
+        {".gltf", "glTF 2.0", parse_gltf, write_gltf, is_held_by_gltf},
+        {".glb", "glTF 2.0, binary", parse_gltf, write_glb, is_held_by_gltf},
     };
     return kFormats;
 }

@@ -18,8 +18,8 @@ struct MeshFormat {
     MeshData (*parse)(const MeshSource& source, const ReadOptions& options);
     void (*write)(const std::filesystem::path& path, MeshView mesh,
                   const MeshAttributes& attributes);
-    /// Whether the writer keeps an attribute; null when nobody has said.
-    bool (*holds)(const AttributeName& attribute) = nullptr;
+    /// Whether the writer keeps an attribute.
+    bool (*holds)(const AttributeName& attribute);
 };
 
 /// All of them.

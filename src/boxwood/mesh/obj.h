@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "boxwood/mesh/attribute_names.h"
 #include "boxwood/mesh/mesh_data.h"
 #include "boxwood/mesh/mesh_source.h"
 
@@ -22,5 +23,8 @@ MeshData parse_obj(const MeshSource& source, const ReadOptions& options = {});
 /// InvalidInput on indices out of range.
 void write_obj(const std::filesystem::path& path, MeshView mesh,
                const MeshAttributes& attributes = {});
+
+/// Whether write_obj keeps an attribute.
+bool is_held_by_obj(const AttributeName& attribute);
 
 }  // namespace boxwood

@@ -9,6 +9,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/obj_scanner.h"
+#include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_scanner.h"
 
 namespace boxwood {
@@ -169,9 +170,8 @@ private:
         Vec3d& vertex = body_.vertices[i];
         read_numbers(vertex, 3, "vertex", i);
         if (!vertex.allFinite())
-            warn("vertices that aren't finite",
-                 fmt::format("vertex {}: found ({}, {}, {}), expected finite numbers", i + 1,
-                             vertex.x(), vertex.y(), vertex.z()));
+            warn(kNotFinite, fmt::format("vertex {}: found ({}, {}, {}), expected finite numbers",
+                                         i + 1, vertex.x(), vertex.y(), vertex.z()));
         if (scanner_.at_end_of_statement()) return;
         std::array<float, 4> more = {0, 0, 0, 1};
         const std::size_t count = read_more(more);
@@ -224,7 +224,7 @@ private:
             before = corner;
         }
         if (count < 3)
-            warn("faces of fewer than three corners, skipped",
+            warn(kFewCorners,
                  fmt::format("found a face of {} corners, expected at least 3", count));
         if (count > 3)
             chunk_.fans.push_back(

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "boxwood/mesh/attribute_names.h"
 #include "boxwood/mesh/mesh_data.h"
 #include "boxwood/mesh/mesh_source.h"
 
@@ -21,5 +22,8 @@ MeshData parse_ply(const MeshSource& source, const ReadOptions& options = {});
 /// a field's name becomes "_". Throws IoError, and InvalidInput on indices out of range.
 void write_ply(const std::filesystem::path& path, MeshView mesh,
                const MeshAttributes& attributes = {});
+
+/// Whether write_ply keeps an attribute.
+bool is_held_by_ply(const AttributeName& attribute);
 
 }  // namespace boxwood

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "boxwood/mesh/ply_body.h"
+#include "boxwood/mesh/reader_warnings.h"
 
 namespace boxwood {
 
@@ -81,7 +82,7 @@ void read_ply_face(Cursor& cursor, const PlyBody& body, std::size_t row, PlyPoly
     const std::size_t corners = polygon.corners.size();
     if (corners < 3)
         return cursor.warn(
-            faces.warnings, "faces of fewer than three corners, skipped",
+            faces.warnings, kFewCorners,
             fmt::format("face {} has {} corners, expected at least 3", row, corners));
     const std::size_t most = body.max_faces - faces.polygons.faces.size();
     if (corners - 2 > most)

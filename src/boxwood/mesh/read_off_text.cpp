@@ -18,11 +18,7 @@ namespace boxwood {
 
 namespace {
 
-/// "Content lines" hold more than blanks and comments.
-struct Chunk {
-    std::string_view text;
-    std::size_t lines = 0, first_line = 0;
-    std::size_t content_lines = 0, first_content_line = 0;
+struct Chunk : TextChunk {
     OffVertices vertices;
     OffFaces faces;
 };
@@ -47,25 +43,14 @@ private:
 
     void split_body(const TextScanner& scanner) {
         for (const std::string_view text : split_at_lines(scanner.rest()))
-            chunks_.push_back({.text = text, .vertices = {}, .faces = OffFaces(name_)});
-        for_each_chunk(chunks_, [](Chunk& chunk) {
-            TextScanner lines(chunk.text, 0);
-            for (; lines.find_word(); lines.finish_line()) ++chunk.content_lines;
-            chunk.lines = lines.line();
-        });
-
-        std::size_t line = scanner.line(), content_line = 0;
-        for (Chunk& chunk : chunks_) {
-            chunk.first_line = std::exchange(line, line + chunk.lines);
-            chunk.first_content_line =
-                std::exchange(content_line, content_line + chunk.content_lines);
-        }
+            chunks_.push_back({{.text = text}, {}, OffFaces(name_)});
+        const std::size_t content_lines = number_lines(chunks_, scanner.line());
         const std::size_t promised = header_.vertices + header_.faces;
-        if (content_line < promised)
+        if (content_lines < promised)
             throw ParseError(name_, header_.line,
                              fmt::format("the header promises {} vertices and {} faces, {} lines, "
                                          "but the file has {}",
-                                         header_.vertices, header_.faces, promised, content_line));
+                                         header_.vertices, header_.faces, promised, content_lines));
     }
 
     void read_chunk(Chunk& chunk) {

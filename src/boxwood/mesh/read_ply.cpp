@@ -13,6 +13,7 @@
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
 #include "boxwood/mesh/triangulate.h"
+#include "boxwood/mesh/warn_of_vertices.h"
 
 namespace boxwood {
 
@@ -35,7 +36,7 @@ public:
         warn_of_skipped();
         parts_ =
             body_.header.format == PlyFormat::ascii ? read_ply_text(body_) : read_ply_binary(body_);
-        warn_of_unfinite_vertices();
+        if (body_.has_unfinite_vertices) warn_of_vertices(body_.name, mesh_);
         join();
         return std::move(mesh_);
     }
@@ -124,18 +125,6 @@ private:
                                     property.is_list ? "list" : "number",
                                     boxwood::quoted(property.name), boxwood::quoted(element.name)));
             }
-        }
-    }
-
-    void warn_of_unfinite_vertices() {
-        if (!body_.has_unfinite_vertices) return;
-        for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
-            const Vec3d& v = mesh_.vertices[i];
-            if (!v.allFinite())
-                mesh_.warnings.add("vertices that aren't finite", body_.name, "",
-                                   fmt::format("vertex {}: found ({}, {}, {}), expected finite "
-                                               "numbers",
-                                               i, v.x(), v.y(), v.z()));
         }
     }
 

@@ -14,10 +14,7 @@ namespace boxwood {
 
 namespace {
 
-struct Chunk {
-    std::string_view text;
-    std::size_t lines = 0, first_line = 0;
-    std::size_t content_lines = 0, first_content_line = 0;
+struct Chunk : TextChunk {
     PlyFaces faces;
 };
 
@@ -83,19 +80,7 @@ private:
     void split() {
         for (const std::string_view text : split_at_lines(body_.text.substr(body_.header.bytes)))
             chunks_.emplace_back().text = text;
-        for_each_chunk(chunks_, [](Chunk& chunk) {
-            TextScanner lines(chunk.text, 0);
-            for (; lines.find_word(); lines.finish_line()) ++chunk.content_lines;
-            chunk.lines = lines.line();
-        });
-
-        std::size_t line = body_.header.lines + 1, content_line = 0;
-        for (Chunk& chunk : chunks_) {
-            chunk.first_line = std::exchange(line, line + chunk.lines);
-            chunk.first_content_line =
-                std::exchange(content_line, content_line + chunk.content_lines);
-        }
-        check_size(content_line);
+        check_size(number_lines(chunks_, body_.header.lines + 1));
     }
 
     /// Before memory is spent.

@@ -6,13 +6,23 @@
 #include <cstddef>
 #include <exception>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "boxwood/core/parallel.h"
+#include "boxwood/mesh/text_scanner.h"
 
 namespace boxwood {
 
 constexpr std::size_t kTextChunkBytes = std::size_t{1} << 18;
+
+/// Whole lines of a text and where they stand in it. "Content lines" hold more than blanks and
+/// comments.
+struct TextChunk {
+    std::string_view text;
+    std::size_t lines = 0, first_line = 0;
+    std::size_t content_lines = 0, first_content_line = 0;
+};
 
 /// The text in pieces of about the given size, cut only after line ends.
 inline std::vector<std::string_view> split_at_lines(std::string_view text,
@@ -43,6 +53,23 @@ void for_each_chunk(std::vector<Chunk>& chunks, const Body& body) {
     for (const std::exception_ptr& failure : failures) {
         if (failure) std::rethrow_exception(failure);
     }
+}
+
+/// Counts the lines of each TextChunk, on all cores, and numbers them on from the given one.
+/// Returns how many content lines there are.
+template <class Chunk>
+std::size_t number_lines(std::vector<Chunk>& chunks, std::size_t line) {
+    for_each_chunk(chunks, [](TextChunk& chunk) {
+        TextScanner lines(chunk.text, 0);
+        for (; lines.find_word(); lines.finish_line()) ++chunk.content_lines;
+        chunk.lines = lines.line();
+    });
+    std::size_t content_line = 0;
+    for (TextChunk& chunk : chunks) {
+        chunk.first_line = std::exchange(line, line + chunk.lines);
+        chunk.first_content_line = std::exchange(content_line, content_line + chunk.content_lines);
+    }
+    return content_line;
 }
 
 }  // namespace boxwood

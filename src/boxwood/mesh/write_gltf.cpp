@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +8,7 @@
 #include "boxwood/core/box.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/files.h"
+#include "boxwood/mesh/byte_order.h"
 #include "boxwood/mesh/gltf.h"
 #include "boxwood/mesh/gltf/base64.h"
 #include "boxwood/mesh/split_corners.h"
@@ -23,12 +23,12 @@ constexpr int kFloat = 5126, kUint32 = 5125;
 constexpr int kVertexData = 34962, kIndexData = 34963;
 
 void append_number(std::string& bytes, std::uint32_t number) {
-    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(number >> 8 * i & 0xff);
+    bytes.resize(bytes.size() + 4);
+    write_little_uint32(bytes.data() + bytes.size() - 4, number);
 }
 void append_number(std::string& bytes, float number) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &number, sizeof bits);
-    append_number(bytes, bits);
+    bytes.resize(bytes.size() + 4);
+    write_little_float(bytes.data() + bytes.size() - 4, number);
 }
 
 /// A mesh as glTF keeps it: one buffer, with the JSON that explains it.
@@ -173,6 +173,11 @@ void write_gltf(const std::filesystem::path& path, MeshView mesh,
     OutputFile file(path);
     file.write(parts.text());
     file.commit();
+}
+
+bool is_held_by_gltf(const AttributeName& attribute) {
+    return attribute.what == "normals" || attribute.what == "texture coordinates" ||
+           attribute.what == "colors" || attribute.what == "materials";
 }
 
 }  // namespace boxwood

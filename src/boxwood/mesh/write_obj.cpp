@@ -132,4 +132,9 @@ void write_obj(const std::filesystem::path& path, MeshView mesh, const MeshAttri
     file.commit();
 }
 
+bool is_held_by_obj(const AttributeName& attribute) {
+    if (attribute.what == "colors") return attribute.of == ValuesOf::vertices;
+    return !attribute.what.starts_with("field ");
+}
+
 }  // namespace boxwood

@@ -215,4 +215,11 @@ void write_ply(const std::filesystem::path& path, MeshView mesh, const MeshAttri
     file.commit();
 }
 
+bool is_held_by_ply(const AttributeName& attribute) {
+    if (attribute.what == "normals") return attribute.of == ValuesOf::vertices;
+    if (attribute.what == "texture coordinates") return attribute.of != ValuesOf::faces;
+    return attribute.of != ValuesOf::corners &&
+           (attribute.what == "colors" || attribute.what.starts_with("field "));
+}
+
 }  // namespace boxwood

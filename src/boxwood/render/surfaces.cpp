@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "boxwood/core/ray_sphere.h"
-#include "boxwood/render/surface_finish.h"
 
 namespace boxwood {
 
@@ -84,9 +83,9 @@ std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& first_
                                                TraversalCounts* counts) const {
     if (!is_traceable(ray)) return std::nullopt;
     Hit mesh_hit = first_on_mesh;
+    std::optional<SurfaceFinish> finish;
     if (has_unseen_places_)
-        mesh_hit = first_that_stops(ray, mesh_hit,
-                                    [](const SurfaceFinish& finish) { return !finish.is_seen; });
+        finish = first_that_stops(ray, mesh_hit, [](const SurfaceFinish& f) { return !f.is_seen; });
     double t = mesh_hit.is_hit() ? mesh_hit.t : ray.t_max;
     std::optional<std::uint32_t> closest_sphere;
     if (!sphere_tree_.is_empty()) {
@@ -118,41 +117,42 @@ std::optional<SurfaceHit> Surfaces::closest_of(const Ray& ray, const Hit& first_
                           .id = sphere_id(*closest_sphere)};
     }
     if (!mesh_hit.is_hit()) return std::nullopt;
-    return on_mesh(ray, mesh_hit);
+    if (!finish) finish = finish_at(world_, scene_, ray, mesh_hit);
+    return SurfaceHit{.t = mesh_hit.t,
+                      .point = ray.at(mesh_hit.t),
+                      .normal = finish->normal,
+                      .shading_normal = finish->shading_normal,
+                      .material = finish->material,
+                      .color = finish->color,
+                      .emission = finish->emission,
+                      .opacity = finish->opacity,
+                      .id = {mesh_hit.instance, mesh_hit.triangle}};
 }
 
-SurfaceHit Surfaces::on_mesh(const Ray& ray, const Hit& hit) const {
-    const SurfaceFinish finish = finish_at(world_, scene_, ray, hit);
-    return {.t = hit.t,
-            .point = ray.at(hit.t),
-            .normal = finish.normal,
-            .shading_normal = finish.shading_normal,
-            .material = finish.material,
-            .color = finish.color,
-            .emission = finish.emission,
-            .opacity = finish.opacity,
-            .id = {hit.instance, hit.triangle}};
-}
-
-/// The hit, or the first one behind it that the ray doesn't pass. Two triangles may lie in one
-/// place, so that the ray first looks for another one there before it goes on.
+/// Goes on from the hit to the first one that the ray doesn't pass, and returns what that one looks
+/// like; nothing when there is none. Two triangles may lie in one place, so that the ray first
+/// looks for another one there before it goes on.
 template <class Passes>
-Hit Surfaces::first_that_stops(Ray ray, Hit hit, const Passes& passes) const {
-    while (hit.is_hit() && passes(finish_at(world_, scene_, ray, hit))) {
+std::optional<SurfaceFinish> Surfaces::first_that_stops(Ray ray, Hit& hit,
+                                                        const Passes& passes) const {
+    while (hit.is_hit()) {
+        const SurfaceFinish finish = finish_at(world_, scene_, ray, hit);
+        if (!passes(finish)) return finish;
         const bool is_second = ray.t_min == hit.t;
         ray.t_min =
             is_second ? std::nextafter(hit.t, std::numeric_limits<double>::infinity()) : hit.t;
         ray.skip = {hit.instance, hit.triangle};
         hit = scene_.closest_hit(ray).value_or(Hit{});
     }
-    return hit;
+    return std::nullopt;
 }
 
 /// Whether a shadow falls: something is hit that is there and isn't mostly clear.
 bool Surfaces::hits_mesh(const Ray& ray, bool is_hit) const {
     if (!is_hit || !has_clear_places_) return is_hit;
-    const auto casts_none = [](const SurfaceFinish& finish) { return finish.opacity < 0.5; };
-    return first_that_stops(ray, scene_.closest_hit(ray).value_or(Hit{}), casts_none).is_hit();
+    Hit hit = scene_.closest_hit(ray).value_or(Hit{});
+    return first_that_stops(ray, hit, [](const SurfaceFinish& f) { return f.opacity < 0.5; })
+        .has_value();
 }
 
 bool Surfaces::any_hit(const Ray& ray) const {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "boxwood/render/surface_finish.h"
 #include "boxwood/scene/scene.h"
 #include "boxwood/world/world.h"
 
@@ -53,9 +54,8 @@ public:
 private:
     std::optional<SurfaceHit> closest_of(const Ray& ray, const Hit& on_mesh,
                                          TraversalCounts* counts = nullptr) const;
-    SurfaceHit on_mesh(const Ray& ray, const Hit& hit) const;
     template <class Passes>
-    Hit first_that_stops(Ray ray, Hit hit, const Passes& passes) const;
+    std::optional<SurfaceFinish> first_that_stops(Ray ray, Hit& hit, const Passes& passes) const;
     bool hits_mesh(const Ray& ray, bool is_hit) const;
     bool hits_sphere(const Ray& ray) const;
     TriangleId sphere_id(std::uint32_t sphere) const;

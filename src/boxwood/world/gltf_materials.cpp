@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
 
 #include "boxwood/core/error.h"
 #include "boxwood/image/read_image.h"
@@ -155,7 +155,8 @@ Material read_material(const GltfDocument& document, const JsonReader& value, Wo
 }  // namespace
 
 void add_gltf_textures(const GltfDocument& document, World& world) {
-    // Several textures may show one image in different ways.
+    // Several textures may show one image in different ways; it is decoded once.
+    std::map<std::size_t, std::size_t> first_with;
     for (std::size_t i = 0; i < document.count("textures"); ++i) {
         const JsonReader value = document.item("textures", i);
         Texture texture;
@@ -169,8 +170,10 @@ void add_gltf_textures(const GltfDocument& document, World& world) {
             texture.is_smooth = !(filter && filter->integer(0, 65535) == kNearest);
         }
         try {
-            texture.image = read_image_of(
-                document, document.item("images", document.index(value["source"], "images")));
+            const std::size_t image = document.index(value["source"], "images");
+            const auto [first, is_new] = first_with.emplace(image, i);
+            texture.image = is_new ? read_image_of(document, document.item("images", image))
+                                   : world.textures[first->second].image;
         } catch (const Error& error) {
             world.warnings.add("textures that can't be read, shown white", "", "", error.what());
         }

@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <string>
+
+#include "boxwood/mesh/byte_order.h"
 
 namespace boxwood {
 
@@ -45,12 +46,8 @@ std::size_t components_of(const JsonReader& value) {
     value.fail("SCALAR, VEC2, VEC3 or VEC4");
 }
 
-/// What lies at a place, byte by byte from the lowest, as on no machine in particular.
 std::uint32_t bits_at(const char* place, std::size_t size) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        bits |= std::uint32_t{static_cast<unsigned char>(place[i])} << 8 * i;
-    return bits;
+    return size == 1 ? byte_at(place, 0) : size == 2 ? little_uint16(place) : little_uint32(place);
 }
 
 float float_at(const char* place, Component type, bool is_normalized) {
@@ -72,9 +69,7 @@ float float_at(const char* place, Component type, bool is_normalized) {
         case Component::float32:
             break;
     }
-    float value = 0;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
+    return float_of_bits(bits);
 }
 
 /// Elements that lie in a buffer view at equal distances.

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "boxwood/core/error.h"
+#include "boxwood/mesh/byte_order.h"
 
 namespace boxwood {
 
@@ -16,13 +17,6 @@ namespace {
 constexpr std::string_view kMagic = "glTF";
 constexpr std::size_t kHeader = 12;
 constexpr std::size_t kChunkHeader = 8;
-
-std::uint32_t number_at(std::string_view bytes, std::size_t place) {
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        number |= std::uint32_t{static_cast<unsigned char>(bytes[place + i])} << 8 * i;
-    return number;
-}
 
 [[noreturn]] void fail(const MeshSource& source, std::size_t place, const std::string& message) {
     throw ParseError(source.name(), fmt::format("byte {}", place), message);
@@ -33,9 +27,9 @@ std::string_view checked(const MeshSource& source) {
     const std::string_view bytes = source.bytes;
     if (bytes.size() < kHeader + kChunkHeader)
         fail(source, bytes.size(), "the file ends, expected the headers of a .glb, 20 bytes");
-    if (const std::uint32_t version = number_at(bytes, 4); version != 2)
+    if (const std::uint32_t version = little_uint32(bytes.data() + 4); version != 2)
         fail(source, 4, fmt::format("found version {}, expected 2", version));
-    const std::uint32_t length = number_at(bytes, 8);
+    const std::uint32_t length = little_uint32(bytes.data() + 8);
     if (length < kHeader + kChunkHeader || length > bytes.size())
         fail(source, 8,
              fmt::format("found the length {}, expected 20 to {}, the size of the file", length,
@@ -45,7 +39,7 @@ std::string_view checked(const MeshSource& source) {
 
 /// The bytes of the chunk at a place, of the given type.
 std::string_view chunk_at(const MeshSource& source, std::string_view bytes, std::size_t place) {
-    const std::uint32_t length = number_at(bytes, place);
+    const std::uint32_t length = little_uint32(bytes.data() + place);
     const std::size_t room = bytes.size() - place - kChunkHeader;
     if (length > room)
         fail(source, place,
