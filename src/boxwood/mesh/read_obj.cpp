@@ -13,7 +13,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/obj.h"
-#include "boxwood/mesh/obj_chunk.h"
+#include "boxwood/mesh/obj/obj_chunk.h"
 #include "boxwood/mesh/text_chunks.h"
 
 namespace boxwood {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/mesh/off.h"
-#include "boxwood/mesh/off_body.h"
+#include "boxwood/mesh/off/off_body.h"
 
 namespace boxwood {
 

@@ -9,7 +9,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/ply.h"
-#include "boxwood/mesh/ply_body.h"
+#include "boxwood/mesh/ply/ply_body.h"
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
 #include "boxwood/mesh/triangulate.h"

@@ -11,8 +11,8 @@
 
 #include "boxwood/core/files.h"
 #include "boxwood/mesh/ply.h"
-#include "boxwood/mesh/ply_columns.h"
-#include "boxwood/mesh/ply_header.h"
+#include "boxwood/mesh/ply/ply_columns.h"
+#include "boxwood/mesh/ply/ply_header.h"
 #include "boxwood/mesh/write_lines.h"
 
 namespace boxwood {

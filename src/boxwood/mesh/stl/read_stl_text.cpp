@@ -12,8 +12,8 @@
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/stl.h"
-#include "boxwood/mesh/stl_solids.h"
-#include "boxwood/mesh/stl_words.h"
+#include "boxwood/mesh/stl/stl_solids.h"
+#include "boxwood/mesh/stl/stl_words.h"
 #include "boxwood/mesh/text_chunks.h"
 
 namespace boxwood {

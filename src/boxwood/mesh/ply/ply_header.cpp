@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/ply_header.h"
+#include "boxwood/mesh/ply/ply_header.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boxwood/mesh/mesh_data.h"
-#include "boxwood/mesh/ply_header.h"
+#include "boxwood/mesh/ply/ply_header.h"
 
 namespace boxwood {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/ply_faces.h"
+#include "boxwood/mesh/ply/ply_faces.h"
 
 namespace boxwood {
 

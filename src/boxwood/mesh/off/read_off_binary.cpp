@@ -11,9 +11,9 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/byte_order.h"
-#include "boxwood/mesh/off_body.h"
-#include "boxwood/mesh/off_faces.h"
-#include "boxwood/mesh/off_vertices.h"
+#include "boxwood/mesh/off/off_body.h"
+#include "boxwood/mesh/off/off_faces.h"
+#include "boxwood/mesh/off/off_vertices.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_chunks.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/obj_chunk.h"
+#include "boxwood/mesh/obj/obj_chunk.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "boxwood/core/error.h"
-#include "boxwood/mesh/obj_scanner.h"
+#include "boxwood/mesh/obj/obj_scanner.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_scanner.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/ply_columns.h"
+#include "boxwood/mesh/ply/ply_columns.h"
 
 #include <algorithm>
 #include <optional>

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "boxwood/mesh/ply_body.h"
+#include "boxwood/mesh/ply/ply_body.h"
 #include "boxwood/mesh/reader_warnings.h"
 
 namespace boxwood {

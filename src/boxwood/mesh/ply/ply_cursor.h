@@ -13,7 +13,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/warnings.h"
-#include "boxwood/mesh/ply_header.h"
+#include "boxwood/mesh/ply/ply_header.h"
 
 namespace boxwood {
 

@@ -10,9 +10,9 @@
 
 #include "boxwood/core/limits.h"
 #include "boxwood/mesh/mesh_data.h"
-#include "boxwood/mesh/ply_columns.h"
-#include "boxwood/mesh/ply_faces.h"
-#include "boxwood/mesh/ply_header.h"
+#include "boxwood/mesh/ply/ply_columns.h"
+#include "boxwood/mesh/ply/ply_faces.h"
+#include "boxwood/mesh/ply/ply_header.h"
 
 namespace boxwood {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/stl_solids.h"
+#include "boxwood/mesh/stl/stl_solids.h"
 
 #include <fmt/format.h>
 

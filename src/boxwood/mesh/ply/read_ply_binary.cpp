@@ -12,8 +12,8 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
-#include "boxwood/mesh/ply_cursor.h"
-#include "boxwood/mesh/ply_rows.h"
+#include "boxwood/mesh/ply/ply_cursor.h"
+#include "boxwood/mesh/ply/ply_rows.h"
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "boxwood/mesh/mesh_data.h"
-#include "boxwood/mesh/off_colors.h"
-#include "boxwood/mesh/off_header.h"
+#include "boxwood/mesh/off/off_colors.h"
+#include "boxwood/mesh/off/off_header.h"
 
 namespace boxwood {
 

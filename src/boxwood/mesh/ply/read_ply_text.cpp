@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
-#include "boxwood/mesh/ply_rows.h"
+#include "boxwood/mesh/ply/ply_rows.h"
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
 

@@ -8,7 +8,7 @@
 
 #include "boxwood/core/limits.h"
 #include "boxwood/mesh/mesh_data.h"
-#include "boxwood/mesh/off_colors.h"
+#include "boxwood/mesh/off/off_colors.h"
 #include "boxwood/mesh/triangulate.h"
 
 namespace boxwood {

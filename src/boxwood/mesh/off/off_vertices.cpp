@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "boxwood/mesh/off_vertices.h"
+#include "boxwood/mesh/off/off_vertices.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "boxwood/core/limits.h"
 #include "boxwood/mesh/mesh_data.h"
 #include "boxwood/mesh/mesh_source.h"
-#include "boxwood/mesh/off_header.h"
+#include "boxwood/mesh/off/off_header.h"
 
 namespace boxwood {
 
