@@ -1,16 +1,9 @@
 # Is Boxwood of use to another project? Builds and runs tests/consumer with the library installed
 # into a scratch prefix, and with the library as a folder of the project.
 
-# The second one compiles the whole library: with a compiler cache as it was compiled already, else in
-# the way that takes the least time.
-if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
-    set(consumer_build_type ${CMAKE_BUILD_TYPE})
-else()
-    set(consumer_build_type Debug)
-endif()
-
 set(consumer_settings
-    -DCMAKE_BUILD_TYPE=${consumer_build_type}
+    -DCMAKE_BUILD_TYPE=Debug
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0
     -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS})
@@ -27,7 +20,9 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME package.install
     COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 consumer_test(find_package -DCMAKE_PREFIX_PATH=${prefix})
-consumer_test(add_subdirectory -DBOXWOOD_SOURCE_DIR=${PROJECT_SOURCE_DIR})
+# Compiles the whole library, in the way that takes the least time.
+consumer_test(add_subdirectory -DBOXWOOD_SOURCE_DIR=${PROJECT_SOURCE_DIR}
+    -DBOXWOOD_PRECOMPILED_HEADERS=ON)
 
 set_tests_properties(package.install PROPERTIES FIXTURES_SETUP package)
 set_tests_properties(package.find_package PROPERTIES FIXTURES_REQUIRED package)

@@ -9,6 +9,7 @@
 #include "boxwood/image/png.h"
 #include "boxwood/render/render.h"
 #include "boxwood/world/read_world.h"
+#include "cases.h"
 #include "laws/accelerators.h"
 
 namespace boxwood {
@@ -19,6 +20,8 @@ protected:
     void SetUp() override {
         const char* shared = std::getenv("BOXWOOD_SHARED");
         if (!shared) GTEST_SKIP() << "BOXWOOD_SHARED doesn't name the folder with the pictures";
+        if (kIsSanitized && GetParam().options.brute_force)
+            GTEST_SKIP() << "takes a minute under a sanitizer; the laws try brute force, too";
         folder_ = std::filesystem::path(shared) / "acceptance";
     }
 
