@@ -146,9 +146,12 @@ private:
         if (values.size() == mesh_.vertices.size() && are_all(indices, &ObjChunk::faces)) {
             result.values = std::move(values);
         } else if (are_all(indices, nullptr)) {
+            const std::string kind = fmt::format("{}s, none of them used, skipped", what);
             for (std::size_t i = 0; i < values.size(); ++i)
-                warnings_.add(fmt::format("{}s, none of them used, skipped", what), body_.name, "",
-                              fmt::format("{} {} belongs to no face", what, i + 1));
+                warnings_.add_lazily(kind, body_.name, [&] {
+                    return std::pair(std::string(),
+                                     fmt::format("{} {} belongs to no face", what, i + 1));
+                });
         } else {
             result.of = ValuesOf::corners;
             result.values.resize(3 * mesh_.faces.size());
@@ -173,6 +176,7 @@ private:
     template <class Value>
     void spread(const std::vector<Value>& values, const std::vector<Vec3i>& indices,
                 ObjChunk& chunk, const char* what, std::vector<Value>& of_corners) const {
+        const std::string kind = fmt::format("faces without {}s, given zeros", what);
         Value* corner = of_corners.data() + 3 * chunk.first_face;
         for (std::size_t i = 0; i < chunk.faces.size(); ++i) {
             const Vec3i face = indices.empty() ? Vec3i::Constant(kNoIndex) : indices[i];
@@ -180,9 +184,10 @@ private:
                 *corner++ = index == kNoIndex ? Value(Value::Zero())
                                               : values[static_cast<std::size_t>(index)];
             if ((face.array() == kNoIndex).any())
-                chunk.warnings.add(fmt::format("faces without {}s, given zeros", what), body_.name,
-                                   fmt::format("face {}", chunk.first_face + i),
-                                   fmt::format("found no {}, expected one a corner", what));
+                chunk.warnings.add_lazily(kind, body_.name, [&] {
+                    return std::pair(fmt::format("face {}", chunk.first_face + i),
+                                     fmt::format("found no {}, expected one a corner", what));
+                });
         }
     }
 
@@ -208,8 +213,10 @@ private:
         for (std::size_t i = 0; i < colors.size(); ++i) {
             if (!colors[i].array().isNaN().all()) continue;
             colors[i] = VertexColor::Ones();
-            warnings_.add("vertices without a colour, made white", body_.name, "",
-                          fmt::format("vertex {}: found no colour, expected one", i + 1));
+            warnings_.add_lazily("vertices without a colour, made white", body_.name, [&] {
+                return std::pair(std::string(),
+                                 fmt::format("vertex {}: found no colour, expected one", i + 1));
+            });
         }
     }
 
