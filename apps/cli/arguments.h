@@ -45,19 +45,8 @@ std::vector<std::string> names(std::span<const Named<Value>> choices) {
 /// The value of a name that a CLI::IsMember check let through.
 template <class Value>
 Value value_of(std::span<const Named<Value>> choices, const std::string& name) {
-    for (const auto& choice : choices) {
-        if (choice.name == name) return choice.value;
-    }
+    if (const auto* choice = find_named(choices, name)) return choice->value;
     refuse_name(name);
-}
-
-/// The name of a value that stands in the table.
-template <class Value>
-std::string_view name_of(std::span<const Named<Value>> choices, const Value& value) {
-    for (const auto& choice : choices) {
-        if (choice.value == value) return choice.name;
-    }
-    return {};
 }
 
 /// A mesh file, or a generated shape as SHAPE:COUNT, such as gyroid:100k.

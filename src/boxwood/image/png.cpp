@@ -4,14 +4,13 @@
 #include <png.h>
 
 #include <string>
-#include <vector>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/files.h"
 
 namespace boxwood {
 
-void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
+std::string encode_png(const Rgba8Image& image) {
     png_image header = {};
     header.version = PNG_IMAGE_VERSION;
     header.width = static_cast<png_uint_32>(image.width);
@@ -21,13 +20,17 @@ void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
     header.flags = PNG_IMAGE_FLAG_FAST;
 
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
-    std::vector<std::byte> bytes(size);
+    std::string bytes(size, '\0');
     if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0,
                                    nullptr))
-        throw IoError(path.string(), std::string("can't be written as PNG: ") + header.message);
+        throw InvalidInput(std::string("the picture can't be written as PNG: ") + header.message);
+    bytes.resize(size);
+    return bytes;
+}
 
+void write_png(const std::filesystem::path& path, const Rgba8Image& image) {
     OutputFile file(path);
-    file.write(std::span(bytes).first(size));
+    file.write(encode_png(image));
     file.commit();
 }
 

@@ -9,7 +9,10 @@
 
 namespace boxwood {
 
-/// Writes an 8-bit RGBA PNG, which appears whole or not at all. Throws IoError.
+/// The bytes of an 8-bit RGBA PNG file. Throws InvalidInput where there can't be one.
+std::string encode_png(const Rgba8Image& image);
+
+/// Writes such a file, which appears whole or not at all. Throws IoError, too.
 void write_png(const std::filesystem::path& path, const Rgba8Image& image);
 
 /// Throws the IoError that write_png() would throw for this path, if any, and writes nothing: to be

@@ -159,6 +159,8 @@ public:
     std::span<const Placement> placements() const { return placements_; }
     bool culls_back_faces(std::size_t mesh) const { return given_[mesh].culls_back_faces; }
     std::span<const Instance> instances() const { return instances_; }
+    /// As they were given.
+    std::span<const SceneMesh> given_meshes() const { return given_; }
     /// In double, those that were given in float as well.
     std::span<const MeshView> meshes() const { return meshes_; }
     /// Whether queries can count their steps: with options.keep_trees or options.brute_force.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "boxwood/tree/tree.h"
 
@@ -17,6 +19,9 @@ struct TreeStatistics {
     /// is expected to test, a node's step and a triangle's test costing 1 each.
     double sah_cost = 0;
 };
+
+/// How many nodes are above each one. O(n).
+std::vector<std::uint32_t> node_depths(const Tree& tree);
 
 /// O(n). Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", The
 /// Visual Computer 6, 1990.

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays in double: pieces of them are gathered from arrays, and their hits scattered into others.
+#include <algorithm>
+#include <array>
+
+#include "py_scene.h"
+#include "ray_arrays.h"
+#include "watch.h"
+
+namespace boxwood::python {
+
+using namespace nanobind::literals;
+
+namespace {
+
+constexpr std::size_t kPiece = 256;
+
+/// Calls store(begin, rays) for pieces of the rays, on all cores.
+template <class Store>
+void for_each_rays(const PyScene& scene, const RayArrays& arrays, nb::handle progress,
+                   const Store& store) {
+    run_watched(arrays.size(), progress, [&](Watch& watch) {
+        const Gate::Query query(scene.gate);
+        watch.for_each_piece(kPiece, [&](std::size_t begin, std::size_t end) {
+            std::array<Ray, kPiece> rays;
+            const auto piece = std::span(rays).first(end - begin);
+            arrays.gather(begin, piece);
+            store(begin, piece);
+        });
+    });
+}
+
+void closest_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<double>& t,
+                 const ValuesOut<std::int32_t>& triangle, const ValuesOut<std::int32_t>& instance,
+                 const RowsOut<double, 2>& uv, const RowsOut<double, 3>& normal,
+                 nb::handle progress) {
+    check_places(arrays.size(), t, triangle, instance, uv, normal);
+    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+        std::array<Hit, kPiece> hits;
+        scene.scene().closest_hits(rays, std::span(hits).first(rays.size()),
+                                   {.on_this_thread = true});
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Hit& hit = hits[i];
+            const std::size_t at = begin + i;
+            t.data()[at] = hit.t;
+            triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
+            instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
+            uv.data()[2 * at] = hit.u;
+            uv.data()[2 * at + 1] = hit.v;
+            const Vec3d n = hit.is_hit() ? scene.scene().geometric_normal(hit) : Vec3d::Zero();
+            for (int k = 0; k < 3; ++k) normal.data()[3 * at + static_cast<std::size_t>(k)] = n[k];
+        }
+    });
+}
+
+void any_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<bool>& results,
+             nb::handle progress) {
+    check_places(arrays.size(), results);
+    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+        scene.scene().any_hits(rays, std::span(results.data() + begin, rays.size()),
+                               {.on_this_thread = true});
+    });
+}
+
+void count_hits(const PyScene& scene, const RayArrays& arrays,
+                const ValuesOut<std::int64_t>& results, nb::handle progress) {
+    check_places(arrays.size(), results);
+    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+        std::array<std::size_t, kPiece> counts;
+        scene.scene().count_hits(rays, std::span(counts).first(rays.size()),
+                                 {.on_this_thread = true});
+        std::copy_n(counts.begin(), rays.size(), results.data() + begin);
+    });
+}
+
+Dict all_hits(const PyScene& scene, const RayArrays& arrays, nb::handle progress) {
+    // So many rays at a time have rays in memory besides their arrays.
+    constexpr std::size_t kAtATime = std::size_t{1} << 17;
+    HitLists all;
+    run_watched(arrays.size(), progress, [&](Watch& watch) {
+        const Gate::Query query(scene.gate);
+        std::vector<Ray> rays;
+        for (std::size_t begin = 0; begin < arrays.size(); begin += kAtATime) {
+            rays.resize(std::min(kAtATime, arrays.size() - begin));
+            arrays.gather(begin, rays);
+            HitLists part = scene.scene().all_hits(rays, watch.options());
+            if (begin == 0 && rays.size() == arrays.size()) {
+                all = std::move(part);
+            } else {
+                for (std::size_t i = 0; i < part.size(); ++i)
+                    all.offsets.push_back(all.t.size() + part.offsets[i + 1]);
+                const auto append = [](auto& to, const auto& from) {
+                    to.insert(to.end(), from.begin(), from.end());
+                };
+                append(all.t, part.t);
+                append(all.u, part.u);
+                append(all.v, part.v);
+                append(all.triangle, part.triangle);
+                append(all.instance, part.instance);
+            }
+            watch.add(rays.size());
+        }
+    });
+    Dict result;
+    result["offsets"] = array_of(std::move(all.offsets));
+    result["t"] = array_of(std::move(all.t));
+    result["u"] = array_of(std::move(all.u));
+    result["v"] = array_of(std::move(all.v));
+    result["triangle"] = array_of(std::move(all.triangle));
+    result["instance"] = array_of(std::move(all.instance));
+    return result;
+}
+
+void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
+                  const ValuesOut<double>& t, const ValuesOut<std::int32_t>& triangle,
+                  const ValuesOut<std::int32_t>& instance, const RowsOut<double, 2>& uv,
+                  nb::handle progress) {
+    check_places(arrays.size() * k, t, triangle, instance, uv);
+    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+        std::vector<Hit> hits(rays.size() * k);
+        scene.scene().first_k_hits(rays, k, hits, {.on_this_thread = true});
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const Hit& hit = hits[i];
+            const std::size_t at = begin * k + i;
+            t.data()[at] = hit.t;
+            triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
+            instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
+            uv.data()[2 * at] = hit.u;
+            uv.data()[2 * at + 1] = hit.v;
+        }
+    });
+}
+
+}  // namespace
+
+void bind_hits(nb::module_& module, nb::class_<PyScene>& scene) {
+    nb::class_<RayArrays>(module, "Rays")
+        .def(nb::init<const Rows<double>&, const Rows<double>&, const Values<double>&,
+                      const Values<double>&, const Values<std::int32_t>&,
+                      const Values<std::int32_t>&, const Values<std::uint32_t>&>(),
+             "origins"_a.noconvert(), "directions"_a.noconvert(), "t_min"_a.noconvert(),
+             "t_max"_a.noconvert(), "skip_instance"_a.noconvert(), "skip_triangle"_a.noconvert(),
+             "visibility"_a.noconvert());
+    scene.def("closest_hit", &closest_hit, "rays"_a, "t"_a.noconvert(), "triangle"_a.noconvert(),
+              "instance"_a.noconvert(), "uv"_a.noconvert(), "normal"_a.noconvert(),
+              "progress"_a.none());
+    scene.def("any_hit", &any_hit, "rays"_a, "results"_a.noconvert(), "progress"_a.none());
+    scene.def("count_hits", &count_hits, "rays"_a, "results"_a.noconvert(), "progress"_a.none());
+    scene.def("first_k_hits", &first_k_hits, "rays"_a, "k"_a, "t"_a.noconvert(),
+              "triangle"_a.noconvert(), "instance"_a.noconvert(), "uv"_a.noconvert(),
+              "progress"_a.none());
+    scene.def("all_hits", &all_hits, "rays"_a, "progress"_a.none());
+}
+
+}  // namespace boxwood::python

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <utility>
+
+#include "arrays.h"
+#include "boxwood/core/error.h"
+#include "boxwood/core/ray.h"
+#include "boxwood/query/rayf.h"
+
+namespace boxwood::python {
+
+/// An array that is kept, and read without checks.
+template <class Array>
+class Kept {
+public:
+    explicit Kept(const Array& array) : array_(array), view_(array.view()) {}
+
+    std::size_t size() const { return array_.shape(0); }
+    template <class... Indices>
+    auto operator()(Indices... indices) const {
+        return view_(indices...);
+    }
+
+private:
+    Array array_;
+    decltype(std::declval<const Array&>().view()) view_;
+};
+
+/// Throws InvalidInput unless all are of that size.
+inline void check_sizes(std::size_t size, std::initializer_list<std::size_t> sizes) {
+    for (const std::size_t other : sizes)
+        if (other != size) throw InvalidInput("rays: expected arrays of one length");
+}
+
+/// Rays in double, as arrays.
+class RayArrays {
+public:
+    RayArrays(const Rows<double>& origins, const Rows<double>& directions,
+              const Values<double>& t_min, const Values<double>& t_max,
+              const Values<std::int32_t>& skip_instance, const Values<std::int32_t>& skip_triangle,
+              const Values<std::uint32_t>& visibility)
+        : origins_(origins),
+          directions_(directions),
+          t_min_(t_min),
+          t_max_(t_max),
+          skip_instance_(skip_instance),
+          skip_triangle_(skip_triangle),
+          visibility_(visibility) {
+        check_sizes(size(), {directions_.size(), t_min_.size(), t_max_.size(),
+                             skip_instance_.size(), skip_triangle_.size(), visibility_.size()});
+    }
+
+    std::size_t size() const { return origins_.size(); }
+
+    /// Those from `begin` on.
+    void gather(std::size_t begin, std::span<Ray> rays) const {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            Ray& ray = rays[i];
+            for (int k = 0; k < 3; ++k) {
+                ray.origin[k] = origins_(begin + i, k);
+                ray.direction[k] = directions_(begin + i, k);
+            }
+            ray.t_min = t_min_(begin + i);
+            ray.t_max = t_max_(begin + i);
+            // -1 for none.
+            ray.skip = {static_cast<std::uint32_t>(skip_instance_(begin + i)),
+                        static_cast<std::uint32_t>(skip_triangle_(begin + i))};
+            ray.visibility = visibility_(begin + i);
+        }
+    }
+
+private:
+    Kept<Rows<double>> origins_, directions_;
+    Kept<Values<double>> t_min_, t_max_;
+    Kept<Values<std::int32_t>> skip_instance_, skip_triangle_;
+    Kept<Values<std::uint32_t>> visibility_;
+};
+
+/// Rays in float, as arrays.
+class RayArraysf {
+public:
+    RayArraysf(const Rows<float>& origins, const Rows<float>& directions,
+               const Values<float>& t_min, const Values<float>& t_max)
+        : origins_(origins), directions_(directions), t_min_(t_min), t_max_(t_max) {
+        check_sizes(size(), {directions_.size(), t_min_.size(), t_max_.size()});
+    }
+
+    std::size_t size() const { return origins_.size(); }
+
+    void gather(std::size_t begin, std::span<Rayf> rays) const {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            Rayf& ray = rays[i];
+            for (int k = 0; k < 3; ++k) {
+                ray.origin[k] = origins_(begin + i, k);
+                ray.direction[k] = directions_(begin + i, k);
+            }
+            ray.t_min = t_min_(begin + i);
+            ray.t_max = t_max_(begin + i);
+        }
+    }
+
+private:
+    Kept<Rows<float>> origins_, directions_;
+    Kept<Values<float>> t_min_, t_max_;
+};
+
+/// Throws InvalidInput unless there is a place for each of so many.
+template <class... Arrays>
+void check_places(std::size_t count, const Arrays&... places) {
+    if (((places.shape(0) != count) || ...))
+        throw InvalidInput("results: expected a place for each ray, point or shape");
+}
+
+}  // namespace boxwood::python

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <thread>
+
+#include "boxwood/core/batch.h"
+
+namespace boxwood::python {
+
+/// Long work without the interpreter's lock. The thread that called looks back now and then: at
+/// Ctrl-C, and to report progress. All calls into Python are made there, so that neither a
+/// traceback nor a progress bar meets another thread.
+class Watch {
+public:
+    /// `progress` is None or takes the part that is done, from 0 to 1; of work on so many things.
+    Watch(std::size_t total, nanobind::handle progress)
+        : total_(total), progress_(progress), caller_(std::this_thread::get_id()) {}
+
+    /// From any thread: so many more are done. Throws, on the thread that called alone, what
+    /// Python has to say; the work that is left then is cancelled.
+    void add(std::size_t count) {
+        done_.fetch_add(count, std::memory_order_relaxed);
+        look_now_and_then();
+    }
+
+    /// How a batch that is part of the work runs.
+    BatchOptions options() {
+        return {.progress = [this](double) { look_now_and_then(); },
+                .cancellation = &cancellation_};
+    }
+
+    /// Calls body(begin, end) for pieces of all that there is, on all cores.
+    template <class Body>
+    void for_each_piece(std::size_t piece, const Body& body) {
+        const BatchOptions options = {.cancellation = &cancellation_};
+        boxwood::for_each_piece(total_, piece, options, [&](std::size_t begin, std::size_t end) {
+            body(begin, end);
+            add(end - begin);
+        });
+    }
+
+    /// The last report. To be called on the thread that called, when all is done.
+    void finish() {
+        if (!progress_.is_none()) look();
+    }
+
+    /// What Python had to say, if it ended the work.
+    const std::exception_ptr& failure() const { return failure_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void look_now_and_then() {
+        constexpr auto kBetweenLooks = std::chrono::milliseconds(50);
+        if (std::this_thread::get_id() != caller_) return;
+        const auto now = Clock::now();
+        if (now - last_look_ < kBetweenLooks) return;
+        last_look_ = now;
+        look();
+    }
+
+    void look() {
+        const nanobind::gil_scoped_acquire lock;
+        try {
+            if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
+            if (!progress_.is_none())
+                progress_(total_ > 0 ? static_cast<double>(done_.load()) / total_ : 1.0);
+        } catch (...) {
+            failure_ = std::current_exception();
+            cancellation_.request();
+            throw;
+        }
+    }
+
+    std::size_t total_;
+    nanobind::handle progress_;
+    std::thread::id caller_;
+    Cancellation cancellation_;
+    std::exception_ptr failure_;
+    std::atomic<std::size_t> done_ = 0;
+    Clock::time_point last_look_ = Clock::now();
+};
+
+/// Runs work(watch) without the interpreter's lock.
+template <class Work>
+void run_watched(std::size_t total, nanobind::handle progress, const Work& work) {
+    Watch watch(total, progress);
+    const nanobind::gil_scoped_release unlocked;
+    try {
+        work(watch);
+        watch.finish();
+    } catch (const Cancelled&) {
+        // Another thread gave up before word of the reason got through.
+        if (watch.failure()) std::rethrow_exception(watch.failure());
+        throw;
+    }
+}
+
+}  // namespace boxwood::python
