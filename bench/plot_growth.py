@@ -39,8 +39,14 @@ def by_name(scores: list[dict]) -> dict[str, list[dict]]:
 def draw_builds(scores: list[dict], axes: pyplot.Axes) -> None:
     for name, points in by_name(scores).items():
         n = [point["triangles"] for point in points]
-        axes.loglog(n, [point["build_seconds"] for point in points], "o-", ms=4,
-                    color=COLORS.get(name), label=name)
+        axes.loglog(
+            n,
+            [point["build_seconds"] for point in points],
+            "o-",
+            ms=4,
+            color=COLORS.get(name),
+            label=name,
+        )
     # n log n through the middle of the first name's points, to compare slopes with.
     first = next(iter(by_name(scores).values()))
     anchor = first[len(first) // 2]
@@ -55,9 +61,14 @@ def draw_rays(scores: list[dict], axes: pyplot.Axes) -> None:
         for kind, style in (("primary", "o-"), ("random", "s--")):
             timed = [point for point in points if kind in point["seconds_per_ray"]]
             if timed:
-                axes.semilogx([point["triangles"] for point in timed],
-                              [1e9 * point["seconds_per_ray"][kind] for point in timed], style,
-                              ms=4, color=COLORS.get(name), label=f"{name}, {kind}")
+                axes.semilogx(
+                    [point["triangles"] for point in timed],
+                    [1e9 * point["seconds_per_ray"][kind] for point in timed],
+                    style,
+                    ms=4,
+                    color=COLORS.get(name),
+                    label=f"{name}, {kind}",
+                )
     axes.set_ylim(bottom=0)
     axes.set_ylabel("nanoseconds a ray, one thread")
 

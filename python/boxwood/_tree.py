@@ -85,7 +85,7 @@ def build(mesh: Mesh, method: str = "binned_sah", *, cost: str = "surface_area")
 
     method: "median", "agglomerative", "binned_sah", "block_sah", "morton", "ploc", "sweep_sah",
         "spatial_split" or "reinsertion".
-    cost: what "agglomerative" merges by: "distance", "volume_growth" or "surface_area".
+    cost: what "agglomerative" merges by: "centroid_distance", "volume_increase" or "surface_area".
 
     Raises ValueError for another name.
 
