@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays in float.
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
+#include <vector>
 
+#include "boxwood/query/ray_order.h"
 #include "py_scene.h"
 #include "ray_arrays.h"
 #include "watch.h"
@@ -14,19 +15,21 @@ using namespace nanobind::literals;
 
 namespace {
 
-/// As batches in float group their rays by 256.
-constexpr std::size_t kPiece = 1024;
-
+/// Calls store(places, rays) for pieces of the rays, on all cores: tiles of a camera's, as the
+/// batch in C++ takes them.
 template <class Store>
 void for_each_rays(const PyScene& scene, const RayArraysf& arrays, nb::handle progress,
                    const Store& store) {
-    run_watched(arrays.size(), progress, [&](Watch& watch) {
+    const auto ray_at = [&](std::size_t i) { return arrays[i]; };
+    const RayOrder order(arrays.size(), row_length(arrays.size(), ray_at));
+    run_watched(order.pieces(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
-        watch.for_each_piece(kPiece, [&](std::size_t begin, std::size_t end) {
-            std::array<Rayf, kPiece> rays;
-            const auto piece = std::span(rays).first(end - begin);
-            arrays.gather(begin, piece);
-            store(begin, piece);
+        watch.for_each_piece(1, [&](std::size_t piece, std::size_t) {
+            std::vector<std::size_t> places(RayOrder::kPiece);
+            places.resize(order.places(piece, places.data()));
+            std::vector<Rayf> rays(places.size());
+            for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = arrays[places[i]];
+            store(places, rays);
         });
     });
 }
@@ -36,13 +39,12 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
                  const RowsOut<float, 2>& uv, const RowsOut<float, 3>& normal,
                  nb::handle progress) {
     check_places(arrays.size(), t, triangle, instance, uv, normal);
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Rayf> rays) {
-        std::array<Hitf, kPiece> hits;
-        scene.scene().closest_hits(rays, std::span(hits).first(rays.size()),
-                                   {.on_this_thread = true});
+    for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
+        std::vector<Hitf> hits(rays.size());
+        scene.scene().closest_hits(rays, hits, {.on_this_thread = true});
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hitf& hit = hits[i];
-            const std::size_t at = begin + i;
+            const std::size_t at = places[i];
             t.data()[at] = hit.t;
             triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
             instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
@@ -62,9 +64,10 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
 void any_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut<bool>& results,
              nb::handle progress) {
     check_places(arrays.size(), results);
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Rayf> rays) {
-        scene.scene().any_hits(rays, std::span(results.data() + begin, rays.size()),
-                               {.on_this_thread = true});
+    for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
+        const auto found = std::make_unique<bool[]>(rays.size());
+        scene.scene().any_hits(rays, std::span(found.get(), rays.size()), {.on_this_thread = true});
+        for (std::size_t i = 0; i < rays.size(); ++i) results.data()[places[i]] = found[i];
     });
 }
 

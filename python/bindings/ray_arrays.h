@@ -92,16 +92,15 @@ public:
 
     std::size_t size() const { return origins_.size(); }
 
-    void gather(std::size_t begin, std::span<Rayf> rays) const {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            Rayf& ray = rays[i];
-            for (int k = 0; k < 3; ++k) {
-                ray.origin[k] = origins_(begin + i, k);
-                ray.direction[k] = directions_(begin + i, k);
-            }
-            ray.t_min = t_min_(begin + i);
-            ray.t_max = t_max_(begin + i);
+    Rayf operator[](std::size_t i) const {
+        Rayf ray;
+        for (int k = 0; k < 3; ++k) {
+            ray.origin[k] = origins_(i, k);
+            ray.direction[k] = directions_(i, k);
         }
+        ray.t_min = t_min_(i);
+        ray.t_max = t_max_(i);
+        return ray;
     }
 
 private:

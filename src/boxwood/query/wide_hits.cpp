@@ -2,10 +2,12 @@
 #include "boxwood/query/wide_hits.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_kernels.h"
+#include "boxwood/query/ray_order.h"
 
 namespace boxwood {
 
@@ -33,6 +35,31 @@ void unscale(Hitf& hit, float scale) {
     const float inverse = 1 / scale;
     hit.t *= inverse;
     for (float& coordinate : hit.normal) coordinate = coordinate * inverse * inverse;
+}
+
+/// The closest hits of some rays, on this thread.
+void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
+    if (tree.scale() == 1 && !tree.is_empty()) {
+        const RayKernels& kernels = ray_kernels(tree.instruction_set());
+        kernels.closest_hits(tree.view(), rays.data(), hits, rays.size());
+    } else {
+        for (std::size_t i = 0; i < rays.size(); ++i) closest_hit(tree, rays[i], hits[i]);
+    }
+}
+
+/// Those of a camera, in tiles of its rows.
+void trace_tiles(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
+                 std::size_t row, const BatchOptions& options) {
+    const RayOrder order(rays.size(), row);
+    for_each_piece(order.pieces(), 1, options, [&](std::size_t piece, std::size_t) {
+        std::vector<std::size_t> places(RayOrder::kPiece);
+        const std::size_t size = order.places(piece, places.data());
+        std::vector<Rayf> near_rays(size);
+        std::vector<Hitf> near_hits(size);
+        for (std::size_t i = 0; i < size; ++i) near_rays[i] = rays[places[i]];
+        trace(tree, near_rays, near_hits.data());
+        for (std::size_t i = 0; i < size; ++i) hits[places[i]] = near_hits[i];
+    });
 }
 
 }  // namespace
@@ -81,16 +108,12 @@ bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
                   const BatchOptions& options) {
     check_hit_places(rays.size(), hits.size());
-    const RayKernels& kernels = ray_kernels(tree.instruction_set());
-    const auto trace = [&](std::size_t begin, std::size_t end) {
-        if (tree.scale() == 1 && !tree.is_empty()) {
-            kernels.closest_hits(tree.view(), rays.data() + begin, hits.data() + begin,
-                                 end - begin);
-        } else {
-            for (std::size_t i = begin; i < end; ++i) closest_hit(tree, rays[i], hits[i]);
-        }
-    };
-    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
+    const std::size_t row = row_length(rays.size(), [&](std::size_t i) { return rays[i]; });
+    if (row > 0) return trace_tiles(tree, rays, hits, row, options);
+    for_each_piece(rays.size(), piece_of(rays.size()), options,
+                   [&](std::size_t begin, std::size_t end) {
+                       trace(tree, rays.subspan(begin, end - begin), hits.data() + begin);
+                   });
 }
 
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits,

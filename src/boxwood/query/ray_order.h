@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// In which order a batch takes its rays. Those of a camera mostly come row by row; side by side in
+// tiles they have more in common, which makes them twice as fast. So rows are looked for, by the
+// jump that directions make from the end of one to the start of the next. Answers don't depend on
+// the order.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "boxwood/query/rayf.h"
+
+namespace boxwood {
+
+/// The length of the rows, or 0 where the rays are too few, don't start at one point, or don't look
+/// like rows. ray_at(i) gives the i-th of `count` rays as a Rayf. It is called about as often as a
+/// row is long.
+template <class RayAt>
+std::size_t row_length(std::size_t count, const RayAt& ray_at) {
+    constexpr std::size_t kFewest = 8192, kShortest = 32, kLongest = std::size_t{1} << 16;
+    constexpr float kJump = 8;  ///< in steps from ray to ray
+    if (count < kFewest) return 0;
+    const Rayf first = ray_at(0);
+    const auto starts_there = [&](const Rayf& ray) {
+        return ray.origin[0] == first.origin[0] && ray.origin[1] == first.origin[1] &&
+               ray.origin[2] == first.origin[2];
+    };
+    const auto apart = [&](std::size_t i, std::size_t j) {
+        const Rayf a = ray_at(i), b = ray_at(j);
+        return std::hypot(a.direction[0] - b.direction[0], a.direction[1] - b.direction[1],
+                          a.direction[2] - b.direction[2]);
+    };
+    if (!starts_there(ray_at(count / 2)) || !starts_there(ray_at(count - 1))) return 0;
+
+    float step = 0;
+    for (std::size_t i = 1; i < 8; ++i) step = std::fmax(step, apart(i - 1, i));
+    if (!(step > 0)) return 0;
+    std::size_t length = 8;
+    while (length < count && length <= kLongest && apart(length - 1, length) <= kJump * step)
+        ++length;
+    if (length < kShortest || length > kLongest || 2 * length > count) return 0;
+
+    // Rows are neighbours, and there is one after another.
+    const std::size_t rows = count / length;
+    for (const std::size_t row : {std::size_t{1}, rows / 2, rows - 1}) {
+        const std::size_t start = row * length;
+        if (apart(start - length, start) > kJump * step ||
+            apart(start - 1, start) <= kJump * step ||
+            apart(start + length / 2, start + length / 2 + 1) > kJump * step)
+            return 0;
+    }
+    return length;
+}
+
+/// The order, piece by piece.
+class RayOrder {
+public:
+    static constexpr std::size_t kPiece = 4096;
+
+    /// Tile by tile of rows of that length; as they are, where it is 0.
+    RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
+        if (row_length > 0) {
+            const std::size_t rows = (count + row_length - 1) / row_length;
+            pieces_per_row_ = (row_length + kSide - 1) / kSide;
+            pieces_ = pieces_per_row_ * ((rows + kSide - 1) / kSide);
+        } else {
+            pieces_ = (count + kPiece - 1) / kPiece;
+        }
+    }
+
+    std::size_t pieces() const { return pieces_; }
+
+    /// Writes the places of a piece's rays to kPiece places, and returns how many there are.
+    std::size_t places(std::size_t piece, std::size_t* places) const {
+        std::size_t size = 0;
+        if (row_length_ == 0) {
+            for (std::size_t i = piece * kPiece; i < count_ && size < kPiece; ++i)
+                places[size++] = i;
+            return size;
+        }
+        const std::size_t top = piece / pieces_per_row_ * kSide;
+        const std::size_t left = piece % pieces_per_row_ * kSide;
+        for (std::size_t code = 0; code < kPiece; ++code) {
+            // Tile by tile, in each by its Morton code: groups of 64 or 256 rays are squares.
+            const std::size_t tile = code / (kTile * kTile), within = code % (kTile * kTile);
+            const std::size_t x = left + tile % (kSide / kTile) * kTile + every_second_bit(within);
+            const std::size_t y =
+                top + tile / (kSide / kTile) * kTile + every_second_bit(within >> 1);
+            const std::size_t place = y * row_length_ + x;
+            if (x < row_length_ && place < count_) places[size++] = place;
+        }
+        return size;
+    }
+
+private:
+    static constexpr std::size_t kTile = 16, kSide = 64;
+    static_assert(kPiece == kSide * kSide);
+
+    /// Bits 0, 2, 4 and 6 of a Morton code, moved together.
+    static constexpr std::size_t every_second_bit(std::size_t code) {
+        return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
+    }
+
+    std::size_t count_, row_length_, pieces_per_row_ = 1, pieces_;
+};
+
+}  // namespace boxwood

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/query/ray_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "boxwood/core/random.h"
+#include "boxwood/mesh/generate.h"
+#include "boxwood/query/wide_hits.h"
+#include "boxwood/scene/build_wide_tree.h"
+
+namespace boxwood {
+namespace {
+
+/// A pinhole camera's rays, row by row; directions are off by so many steps from pixel to pixel.
+std::vector<Rayf> camera_rays(int width, int height, float jitter = 0) {
+    std::vector<Rayf> rays;
+    std::uint64_t drawn = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const auto off = [&] {
+                return jitter * static_cast<float>(uniform(5, drawn++, 0) - 0.5);
+            };
+            Rayf ray;
+            ray.origin[2] = 3;
+            ray.direction[0] = (static_cast<float>(x) + off()) / static_cast<float>(width) - 0.5f;
+            ray.direction[1] = 0.5f - (static_cast<float>(y) + off()) / static_cast<float>(width);
+            ray.direction[2] = -1.2f;
+            rays.push_back(ray);
+        }
+    }
+    return rays;
+}
+
+std::size_t row_length_of(const std::vector<Rayf>& rays) {
+    return row_length(rays.size(), [&](std::size_t i) { return rays[i]; });
+}
+
+TEST(RowLength, is_the_width_of_a_cameras_picture) {
+    for (const int width : {64, 97, 100, 640, 1000})
+        EXPECT_EQ(row_length_of(camera_rays(width, 9000 / width + 3)),
+                  static_cast<std::size_t>(width));
+    EXPECT_EQ(row_length_of(camera_rays(200, 100, 1)), 200u) << "samples all over the pixels";
+}
+
+TEST(RowLength, is_found_where_the_last_row_is_cut_off) {
+    std::vector<Rayf> rays = camera_rays(200, 100);
+    rays.resize(rays.size() - 77);
+    EXPECT_EQ(row_length_of(rays), 200u);
+}
+
+TEST(RowLength, is_none_where_rays_are_in_no_rows) {
+    EXPECT_EQ(row_length_of(camera_rays(9000, 1)), 0u) << "one row";
+    EXPECT_EQ(row_length_of(camera_rays(100, 20)), 0u) << "few rays";
+
+    std::vector<Rayf> rays = camera_rays(200, 100);
+    rays.erase(rays.begin() + 4050, rays.begin() + 4100);
+    EXPECT_EQ(row_length_of(rays), 0u) << "a row is shorter than the others";
+
+    rays = camera_rays(200, 100);
+    rays.back().origin[0] = 1;
+    EXPECT_EQ(row_length_of(rays), 0u) << "another origin";
+
+    rays.assign(10000, Rayf{});
+    EXPECT_EQ(row_length_of(rays), 0u) << "one direction";
+    for (Rayf& ray : rays) ray.direction[0] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(row_length_of(rays), 0u) << "no direction";
+
+    std::uint64_t drawn = 0;
+    for (Rayf& ray : rays)
+        for (float& x : ray.direction) x = static_cast<float>(2 * uniform(6, drawn++, 0) - 1);
+    EXPECT_EQ(row_length_of(rays), 0u) << "random directions";
+}
+
+TEST(RayOrder, visits_each_ray_once) {
+    for (const std::size_t row : {0, 32, 63, 64, 65, 200, 5000}) {
+        for (const std::size_t count : {1, 4095, 4096, 4097, 20000}) {
+            const RayOrder order(count, row);
+            std::vector<int> visits(count, 0);
+            std::vector<std::size_t> places(RayOrder::kPiece);
+            for (std::size_t piece = 0; piece < order.pieces(); ++piece) {
+                const std::size_t size = order.places(piece, places.data());
+                for (std::size_t i = 0; i < size; ++i) ++visits.at(places[i]);
+            }
+            EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), count)
+                << row << " in a row, " << count << " rays";
+        }
+    }
+}
+
+TEST(RayOrder, leaves_no_trace_in_the_hits) {
+    const TriangleMesh mesh = generate_torus_knot(5000);
+    const WideTree tree = build_wide_tree(mesh);
+    const std::vector<Rayf> rays = camera_rays(150, 77);
+    ASSERT_EQ(row_length_of(rays), 150u);
+    std::vector<Hitf> hits(rays.size());
+    closest_hits(tree, rays, hits);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Hitf alone;
+        closest_hit(tree, rays[i], alone);
+        found += alone.is_hit();
+        ASSERT_EQ(std::memcmp(&alone, &hits[i], sizeof alone), 0) << "ray " << i;
+    }
+    EXPECT_GT(found, rays.size() / 10);
+}
+
+}  // namespace
+}  // namespace boxwood
