@@ -57,9 +57,9 @@ class RaycastingScene:
 
     def add_triangles(self, mesh: Any, triangle_indices: ArrayLike | None = None) -> int:
         """Adds a mesh and returns its geometry id: a boxwood.Mesh, one of Open3D, or vertices
-        (n, 3) and triangles (m, 3)."""
+        (n, 3) and triangles (m, 3). All but the first is copied."""
         if triangle_indices is not None:
-            mesh = Mesh(arguments.array(mesh, "vertex_positions"), triangle_indices)
+            mesh = Mesh(np.array(arguments.array(mesh, "vertex_positions")), triangle_indices)
         elif not isinstance(mesh, Mesh):
             mesh = from_open3d(mesh)
         self._meshes.append(mesh)
@@ -180,7 +180,7 @@ def from_open3d(mesh: Any) -> Mesh:
     """A Mesh of an open3d.t.geometry.TriangleMesh or open3d.geometry.TriangleMesh, with the colors
     of its vertices."""
     if hasattr(mesh, "vertex"):
-        vertices = mesh.vertex["positions"].cpu().numpy()
+        vertices = np.array(mesh.vertex["positions"].cpu().numpy())
         faces = mesh.triangle["indices"].cpu().numpy()
         colors = mesh.vertex["colors"].cpu().numpy() if "colors" in mesh.vertex else None
     else:
