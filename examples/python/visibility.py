@@ -42,7 +42,7 @@ higher = bw.PinholeCamera(
     camera.position + size * up,
     mesh.bounds.mean(axis=0),
     up,
-    field_of_view=0.85 * camera.field_of_view,
+    field_of_view=camera.field_of_view,
     width=given.width,
     height=given.height,
 )

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as arguments
 from ._adapters import colors_from_bytes, sign_method
 from ._camera import PinholeCamera
-from ._mesh import Attribute, Mesh
+from ._mesh import Mesh
 from ._scene import Instance, Scene
 from ._threads import thread_limit
 
@@ -201,7 +201,7 @@ def to_open3d(mesh: Mesh) -> Any:
     result = open3d.t.geometry.TriangleMesh(
         tensor(np.array(mesh.vertices, np.float32)), tensor(mesh.faces.astype(np.int64))
     )
-    if isinstance(mesh.colors, Attribute) and mesh.colors.of == "vertices":
+    if mesh.colors is not None and mesh.colors.of == "vertices":
         rgb = np.array(mesh.colors.values, np.float32)[:, :3]
         result.vertex["colors"] = tensor(np.ascontiguousarray(rgb))
     return result
