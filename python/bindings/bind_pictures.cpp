@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/image/color_map.h"
 #include "boxwood/image/png.h"
 #include "boxwood/render/render.h"
 #include "boxwood/world/read_world.h"
@@ -208,6 +209,14 @@ void bind_pictures(nb::module_& module) {
             }
         },
         "colors"_a.noconvert(), "pixels"_a.noconvert());
+    module.def(
+        "heat_colors",
+        [](const ValuesOut<const double>& values, const RowsOut<double, 3>& colors) {
+            const auto given = values_of(values);
+            const auto found = rows_of<Vec3d>(colors);
+            std::transform(given.begin(), given.end(), found.begin(), &heat_color);
+        },
+        "values"_a.noconvert(), "colors"_a.noconvert());
     module.def("encode_png", [](const Pixels8& pixels) {
         const std::string bytes = encode_png(image_of(pixels));
         return nb::bytes(bytes.data(), bytes.size());

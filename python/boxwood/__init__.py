@@ -11,6 +11,7 @@ array([ True, False])
 from __future__ import annotations
 
 from ._camera import OrthographicCamera, PinholeCamera, SphericalCamera
+from ._color_map import color_map
 from ._core import Error, ParseError
 from ._image import Image
 from ._mesh import Attribute, Labels, Mesh, MeshWarning, generate, load
@@ -44,6 +45,7 @@ __all__ = [
     "Tree",
     "TriangleLists",
     "build",
+    "color_map",
     "generate",
     "load",
     "open",
