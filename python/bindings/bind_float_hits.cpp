@@ -25,10 +25,10 @@ void for_each_rays(const PyScene& scene, const RayArraysf& arrays, nb::handle pr
     run_watched(order.pieces(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
         watch.for_each_piece(1, [&](std::size_t piece, std::size_t) {
-            std::vector<std::size_t> places(RayOrder::kPiece);
+            std::vector<RayPlace> places(RayOrder::kPiece);
             places.resize(order.places(piece, places.data()));
             std::vector<Rayf> rays(places.size());
-            for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = arrays[places[i]];
+            for (const RayPlace& place : places) rays[place.in_piece] = arrays[place.in_batch];
             store(places, rays);
         });
     });
@@ -42,21 +42,24 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
     for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
         std::vector<Hitf> hits(rays.size());
         scene.scene().closest_hits(rays, hits, {.on_this_thread = true});
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Hitf& hit = hits[i];
-            const std::size_t at = places[i];
+        for (const RayPlace& place : places) {
+            const Hitf& hit = hits[place.in_piece];
+            const std::size_t at = place.in_batch;
             t.data()[at] = hit.t;
             triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
             instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
             uv.data()[2 * at] = hit.u;
             uv.data()[2 * at + 1] = hit.v;
+            float* const n = normal.data() + 3 * at;
+            n[0] = n[1] = n[2] = 0;
+            if (!hit.is_hit()) continue;
             // In double, where no square of a float is too large or too small.
             const double x = hit.normal[0], y = hit.normal[1], z = hit.normal[2];
             const double squared = x * x + y * y + z * z;
             const double factor = squared > 0 ? 1 / std::sqrt(squared) : 0;
-            normal.data()[3 * at] = static_cast<float>(factor * x);
-            normal.data()[3 * at + 1] = static_cast<float>(factor * y);
-            normal.data()[3 * at + 2] = static_cast<float>(factor * z);
+            n[0] = static_cast<float>(factor * x);
+            n[1] = static_cast<float>(factor * y);
+            n[2] = static_cast<float>(factor * z);
         }
     });
 }
@@ -67,7 +70,7 @@ void any_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut<boo
     for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
         const auto found = std::make_unique<bool[]>(rays.size());
         scene.scene().any_hits(rays, std::span(found.get(), rays.size()), {.on_this_thread = true});
-        for (std::size_t i = 0; i < rays.size(); ++i) results.data()[places[i]] = found[i];
+        for (const RayPlace& place : places) results.data()[place.in_batch] = found[place.in_piece];
     });
 }
 

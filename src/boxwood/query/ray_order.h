@@ -5,8 +5,11 @@
 // the order.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "boxwood/query/rayf.h"
 
@@ -52,6 +55,12 @@ std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     return length;
 }
 
+/// A ray's place in the batch, and the one that it takes among those of its piece.
+struct RayPlace {
+    std::size_t in_batch;
+    std::uint32_t in_piece;
+};
+
 /// The order, piece by piece.
 class RayOrder {
 public:
@@ -61,8 +70,8 @@ public:
     RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
         if (row_length > 0) {
             const std::size_t rows = (count + row_length - 1) / row_length;
-            pieces_per_row_ = (row_length + kSide - 1) / kSide;
-            pieces_ = pieces_per_row_ * ((rows + kSide - 1) / kSide);
+            pieces_per_row_ = (row_length + kWidth - 1) / kWidth;
+            pieces_ = pieces_per_row_ * ((rows + kTile - 1) / kTile);
         } else {
             pieces_ = (count + kPiece - 1) / kPiece;
         }
@@ -70,31 +79,40 @@ public:
 
     std::size_t pieces() const { return pieces_; }
 
-    /// Writes the places of a piece's rays to kPiece places, and returns how many there are.
-    std::size_t places(std::size_t piece, std::size_t* places) const {
+    /// Writes the places of a piece's rays to kPiece places, and returns how many there are. They
+    /// come in the order in which they stand in the batch, so that memory is read as it lies.
+    std::size_t places(std::size_t piece, RayPlace* places) const {
         std::size_t size = 0;
         if (row_length_ == 0) {
-            for (std::size_t i = piece * kPiece; i < count_ && size < kPiece; ++i)
-                places[size++] = i;
+            for (std::size_t i = piece * kPiece; i < count_ && size < kPiece; ++i, ++size)
+                places[size] = {i, static_cast<std::uint32_t>(size)};
             return size;
         }
-        const std::size_t top = piece / pieces_per_row_ * kSide;
-        const std::size_t left = piece % pieces_per_row_ * kSide;
-        for (std::size_t code = 0; code < kPiece; ++code) {
-            // Tile by tile, in each by its Morton code: groups of 64 or 256 rays are squares.
-            const std::size_t tile = code / (kTile * kTile), within = code % (kTile * kTile);
-            const std::size_t x = left + tile % (kSide / kTile) * kTile + every_second_bit(within);
-            const std::size_t y =
-                top + tile / (kSide / kTile) * kTile + every_second_bit(within >> 1);
-            const std::size_t place = y * row_length_ + x;
-            if (x < row_length_ && place < count_) places[size++] = place;
+        const std::size_t top = piece / pieces_per_row_ * kTile;
+        const std::size_t left = piece % pieces_per_row_ * kWidth;
+        const std::size_t width = std::min(kWidth, row_length_ - left);
+        const auto is_there = [&](std::size_t x, std::size_t y) {
+            return x < width && (top + y) * row_length_ + left + x < count_;
+        };
+        // Tile by tile, in each by its Morton code: groups of 64 or 256 rays are squares.
+        std::array<std::uint32_t, kPiece> in_piece;
+        std::uint32_t next = 0;
+        for (std::size_t tile = 0; tile < width; tile += kTile) {
+            for (std::size_t code = 0; code < kTile * kTile; ++code) {
+                const std::size_t x = tile + every_second_bit(code),
+                                  y = every_second_bit(code >> 1);
+                if (is_there(x, y)) in_piece[y * kWidth + x] = next++;
+            }
+        }
+        for (std::size_t y = 0; y < kTile; ++y) {
+            for (std::size_t x = 0; is_there(x, y); ++x)
+                places[size++] = {(top + y) * row_length_ + left + x, in_piece[y * kWidth + x]};
         }
         return size;
     }
 
 private:
-    static constexpr std::size_t kTile = 16, kSide = 64;
-    static_assert(kPiece == kSide * kSide);
+    static constexpr std::size_t kTile = 16, kWidth = kPiece / kTile;
 
     /// Bits 0, 2, 4 and 6 of a Morton code, moved together.
     static constexpr std::size_t every_second_bit(std::size_t code) {

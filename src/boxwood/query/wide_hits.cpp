@@ -52,13 +52,13 @@ void trace_tiles(const WideTree& tree, std::span<const Rayf> rays, std::span<Hit
                  std::size_t row, const BatchOptions& options) {
     const RayOrder order(rays.size(), row);
     for_each_piece(order.pieces(), 1, options, [&](std::size_t piece, std::size_t) {
-        std::vector<std::size_t> places(RayOrder::kPiece);
-        const std::size_t size = order.places(piece, places.data());
-        std::vector<Rayf> near_rays(size);
-        std::vector<Hitf> near_hits(size);
-        for (std::size_t i = 0; i < size; ++i) near_rays[i] = rays[places[i]];
+        std::vector<RayPlace> places(RayOrder::kPiece);
+        places.resize(order.places(piece, places.data()));
+        std::vector<Rayf> near_rays(places.size());
+        std::vector<Hitf> near_hits(places.size());
+        for (const RayPlace& place : places) near_rays[place.in_piece] = rays[place.in_batch];
         trace(tree, near_rays, near_hits.data());
-        for (std::size_t i = 0; i < size; ++i) hits[places[i]] = near_hits[i];
+        for (const RayPlace& place : places) hits[place.in_batch] = near_hits[place.in_piece];
     });
 }
 
