@@ -12,6 +12,7 @@
 #include "boxwood/mesh/off/off_body.h"
 #include "boxwood/mesh/off/off_faces.h"
 #include "boxwood/mesh/off/off_vertices.h"
+#include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_chunks.h"
 
 namespace boxwood {
@@ -21,6 +22,7 @@ namespace {
 struct Chunk : TextChunk {
     OffVertices vertices;
     OffFaces faces;
+    Warnings trailing = {};  ///< of lines after the last face
 };
 
 class OffTextReader {
@@ -61,14 +63,12 @@ private:
 
         TextScanner scanner(chunk.text, chunk.first_line);
         for (; scanner.find_word(); ++i, scanner.finish_line()) {
-            if (i >= end)
-                fail(scanner,
-                     fmt::format("found {} after the last face, expected the end of the file",
-                                 quoted(scanner.word())));
             if (i < header_.vertices) {
                 read_vertex(scanner, i, chunk.vertices);
-            } else {
+            } else if (i < end) {
                 read_face(scanner, i - header_.vertices, chunk.faces);
+            } else {
+                warn_of_end(scanner, chunk.trailing);
             }
         }
     }
@@ -175,6 +175,15 @@ private:
         fail(scanner, fmt::format("found {}, expected a whole number", quoted(scanner.word())));
     }
 
+    void warn_of_end(TextScanner& scanner, Warnings& warnings) const {
+        warnings.add_lazily(kTrailingLines, name_, [&] {
+            return std::pair(
+                std::to_string(scanner.line()),
+                fmt::format("found {} after the last face, expected the end of the file",
+                            quoted(scanner.word())));
+        });
+    }
+
     void join() {
         float largest_color = 0;
         std::vector<OffFaces*> faces;
@@ -185,6 +194,7 @@ private:
         }
         scale_off_colors(mesh_.attributes.colors.values, largest_color);
         OffFaces::join(faces, name_, limits_, mesh_);
+        for (const Chunk& chunk : chunks_) mesh_.warnings.append(chunk.trailing);
     }
 
     OffHeader header_;

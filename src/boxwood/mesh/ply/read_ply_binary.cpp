@@ -45,8 +45,7 @@ public:
             if (element.is_stored()) read_element(element);
         }
         if (at_ < body_.text.size())
-            body_.mesh.warnings.add("bytes after the last element, skipped", body_.name,
-                                    fmt::format("byte {}", at_),
+            body_.mesh.warnings.add(kTrailingBytes, body_.name, fmt::format("byte {}", at_),
                                     fmt::format("found {} bytes, expected the end of the file",
                                                 body_.text.size() - at_));
         return std::move(faces_);

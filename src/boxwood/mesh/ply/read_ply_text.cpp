@@ -125,7 +125,7 @@ private:
             find_element();
             if (element == elements_.end()) {
                 cursor.warn(
-                    chunk.faces.warnings, "lines after the last element, skipped",
+                    chunk.faces.warnings, kTrailingLines,
                     fmt::format("found {}, expected the end of the file", quoted(scanner.word())));
             } else if (*element == body_.vertices) {
                 read_ply_vertex(cursor, body_, row);
