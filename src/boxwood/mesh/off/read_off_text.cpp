@@ -12,6 +12,7 @@
 #include "boxwood/mesh/off/off_body.h"
 #include "boxwood/mesh/off/off_faces.h"
 #include "boxwood/mesh/off/off_vertices.h"
+#include "boxwood/mesh/plain_triangle.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_chunks.h"
 
@@ -75,6 +76,9 @@ private:
 
     void read_vertex(TextScanner& scanner, std::size_t i, OffVertices& part) {
         OffVertex vertex;
+        if (has_positions_only_ && scanner.plain_line(vertex.position.data(), 3))
+            return set_off_vertex(header_, name_, vertex, i, {.number = scanner.line()}, mesh_,
+                                  part);
         read_numbers(scanner, i, "coordinates", 3 + header_.is_homogeneous,
                      [&](int k, double x) { (k < 3 ? vertex.position[k] : vertex.w) = x; });
         if (header_.has_normals)
@@ -133,6 +137,8 @@ private:
     }
 
     void read_face(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
+        if (const auto triangle = plain_triangle(scanner, header_.vertices))
+            return faces.add_triangle(*triangle);
         const auto corners = scanner.integer();
         if (!corners) fail_integer(scanner);
         if (*corners < 0)
@@ -198,6 +204,8 @@ private:
     }
 
     OffHeader header_;
+    bool has_positions_only_ = !(header_.is_homogeneous || header_.has_normals ||
+                                 header_.has_colors || header_.has_texture_coordinates);
     std::string name_;
     Limits limits_;
     std::vector<Chunk> chunks_;
