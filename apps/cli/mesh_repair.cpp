@@ -10,17 +10,21 @@
 namespace boxwood::cli {
 
 void add_repair(CLI::App& command, std::vector<std::string>& steps) {
-    command.add_option("--repair", steps, "what to do about the mesh, step by step")
+    command.add_option("--repair", steps, "what to do about a mesh, step by step")
         ->check(CLI::IsMember(names(repair_steps())))
         ->delimiter(',')
         ->allow_extra_args(false);
 }
 
+std::vector<RepairStep> repair_steps_of(const std::vector<std::string>& names) {
+    std::vector<RepairStep> steps;
+    steps.reserve(names.size());
+    for (const std::string& name : names) steps.push_back(value_of(repair_steps(), name));
+    return steps;
+}
+
 RepairReport repair(MeshData& mesh, const std::vector<std::string>& steps) {
-    std::vector<RepairStep> values;
-    values.reserve(steps.size());
-    for (const std::string& step : steps) values.push_back(value_of(repair_steps(), step));
-    return boxwood::repair(mesh, values);
+    return boxwood::repair(mesh, repair_steps_of(steps));
 }
 
 std::string text_of(const RepairReport& report) {

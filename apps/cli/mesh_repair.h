@@ -12,6 +12,8 @@ namespace boxwood::cli {
 /// Adds --repair.
 void add_repair(CLI::App& command, std::vector<std::string>& steps);
 
+std::vector<RepairStep> repair_steps_of(const std::vector<std::string>& names);
+
 /// Takes the steps of those names.
 RepairReport repair(MeshData& mesh, const std::vector<std::string>& steps);
 

@@ -3,12 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/world/read_world.h"
 #include "cli/commands.h"
+#include "cli/mesh_repair.h"
 #include "cli/picture.h"
 #include "cli/stopwatch.h"
 #include "cli/warnings.h"
@@ -23,6 +26,7 @@ struct RenderArguments {
     std::string scene;
     std::string data;
     std::string up;
+    std::vector<std::string> repair;
     std::size_t camera = 0;
     bool allow_outside_files = false;
     PictureOptions picture;
@@ -42,6 +46,7 @@ void run(const RenderArguments& arguments) {
     Stopwatch stopwatch;
     WorldOptions options = {.data_folder = arguments.data};
     options.read.allow_outside_files = arguments.allow_outside_files;
+    options.repair = repair_steps_of(arguments.repair);
     if (!arguments.up.empty())
         options.up = value_of(std::span<const Named<UpAxis>>(kUpAxes), arguments.up);
     World world = read_world(arguments.scene, options);
@@ -66,6 +71,7 @@ void add_render(CLI::App& app) {
         ->capture_default_str();
     command->add_flag("--allow-outside-files", arguments->allow_outside_files,
                       "let files name others outside their own folder");
+    add_repair(*command, arguments->repair);
     add_picture_options(*command, arguments->picture);
     command->footer(
         "Example:\n"

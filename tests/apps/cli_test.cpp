@@ -204,6 +204,19 @@ TEST_F(Cli, repair_does_the_steps_and_tells_what_they_did) {
     EXPECT_TRUE(contents(folder_.path() / "ball.off").starts_with("OFF\n162 320 0\n"));
 }
 
+TEST_F(Cli, render_repairs_meshes_first) {
+    const std::string open_tent = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 ";
+    write("turned.off", open_tent + "1 3\n");
+    write("right.off", open_tent + "3 1\n");
+    const std::string options = " --integrator normal --size 40x30 --samples 1 -o ";
+    EXPECT_EQ(run("render right.off" + options + "right.png").exit_code, 0);
+    EXPECT_EQ(run("render turned.off" + options + "turned.png").exit_code, 0);
+    EXPECT_EQ(run("render turned.off --repair weld,orient" + options + "mended.png").exit_code, 0);
+    const std::string right = contents(folder_.path() / "right.png");
+    EXPECT_NE(contents(folder_.path() / "turned.png"), right);
+    EXPECT_EQ(contents(folder_.path() / "mended.png"), right);
+}
+
 TEST_F(Cli, convert_carries_attributes_over_and_says_which_are_lost) {
     write("mesh.off",
           "CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1\n1 0 0 0 0 1 1 0 0 1\n"
@@ -356,7 +369,8 @@ TEST_F(Cli, wrong_usage_exits_with_2) {
           "render scene.json --threads -1", "render scene.json --unknown", "info", "bench",
           "info icosphere:20 --accelerator brute",
           "bench icosphere:20 --counters --accelerator brute", "convert icosphere:20",
-          "info icosphere:20 --repair", "convert icosphere:20 a.off --repair polish"}) {
+          "info icosphere:20 --repair", "convert icosphere:20 a.off --repair polish",
+          "render scene.json --repair polish"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exit_code, 2) << arguments;
         EXPECT_NE(outcome.err, "") << arguments;

@@ -14,6 +14,7 @@
 #include "laws/closed_meshes.h"
 #include "laws/mesh_families.h"
 #include "laws/random.h"
+#include "rounded_to_float.h"
 
 namespace boxwood {
 namespace {
@@ -93,15 +94,13 @@ TEST(Watertight, no_ray_in_float_escapes_from_a_closed_mesh) {
         if (closed.thickness < 1e-5 * largest) continue;
         const WideTree tree = build_wide_tree(closed.mesh);
         Random random(1);
-        for (const Vec3d& origin : points_inside(closed, random)) {
-            const std::vector<Vec3d> targets = vertices_and_edges(closed.mesh, random);
+        // From the float that the ray starts at to the float that the vertex becomes.
+        for (const Vec3d& origin : rounded_to_float(points_inside(closed, random))) {
+            const std::vector<Vec3d> targets =
+                rounded_to_float(vertices_and_edges(closed.mesh, random));
             std::vector<Rayf> rays;
-            for (std::size_t i = 0; i < targets.size(); i += kThinning) {
-                // From the float that the ray starts at to the float that the vertex becomes.
-                const Vec3d from = origin.cast<float>().cast<double>();
-                const Vec3d to = targets[i].cast<float>().cast<double>();
-                rays.push_back(in_float({.origin = from, .direction = to - from}));
-            }
+            for (std::size_t i = 0; i < targets.size(); i += kThinning)
+                rays.push_back(in_float({.origin = origin, .direction = targets[i] - origin}));
             std::vector<Hitf> hits(rays.size());
             closest_hits(tree, rays, hits);
             for (std::size_t i = 0; i < rays.size(); ++i)

@@ -161,11 +161,15 @@ TEST(ReadOff, indices_that_are_no_whole_numbers_are_an_error) {
     }
 }
 
-TEST(ReadOff, content_after_the_last_face_is_an_error) {
-    EXPECT_EQ(complaint_about(kTriangle + "\n3 0 2 1\n"),
-              "8: found '3' after the last face, expected the end of the file");
-    EXPECT_EQ(complaint_about("OFF\n1 0\n1 2 3\nabc\n"),
-              "4: found 'abc' after the last face, expected the end of the file");
+TEST(ReadOff, lines_after_the_last_face_are_ignored_and_counted) {
+    EXPECT_EQ(verdict_on(parse_off, kTriangle + "\n3 0 2 1\n# end\n\nabc 1\n"),
+              "lines after the end of the mesh, ignored (2): 8: found '3' after the last face, "
+              "expected the end of the file");
+    EXPECT_EQ(verdict_on(parse_off, "OFF\n1 0\n1 2 3\nabc\n"),
+              "lines after the end of the mesh, ignored (1): 4: found 'abc' after the last face, "
+              "expected the end of the file");
+    EXPECT_TRUE(same(parse_off({kTriangle + "\n3 0 2 1\n", "mesh.off"}),
+                     parse_off({kTriangle, "mesh.off"})));
 }
 
 TEST(ReadOff, of_many_faults_the_first_in_the_file_is_reported_whatever_the_threads) {

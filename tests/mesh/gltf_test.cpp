@@ -11,6 +11,7 @@
 #include "boxwood/mesh/mesh_file.h"
 #include "boxwood/mesh/split_corners.h"
 #include "mesh/gltf_json.h"
+#include "rounded_to_float.h"
 #include "temp_dir.h"
 
 namespace boxwood {
@@ -195,7 +196,7 @@ TEST(ReadGltf, a_glb_is_the_same_as_its_parts) {
 TEST(WriteGltf, what_is_written_reads_back_exactly) {
     const TempDir dir;
     MeshData mesh{generate_torus_knot(600), {}, {}};
-    for (Vec3d& p : mesh.vertices) p = p.cast<float>().cast<double>();
+    mesh.vertices = rounded_to_float(mesh.vertices);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const float x = static_cast<float>(i) / 512;
         mesh.attributes.normals.values.emplace_back(x, 1 - x, 0.25f);
@@ -216,6 +217,17 @@ TEST(WriteGltf, what_is_written_reads_back_exactly) {
         EXPECT_EQ(read.attributes.materials.of_face, mesh.attributes.materials.of_face);
         // Each primitive has the same vertices.
         EXPECT_EQ(read.vertices, mesh.vertices);
+    }
+}
+
+TEST(WriteGltf, bounds_are_those_of_the_floats_in_the_file) {
+    const TempDir dir;
+    write_mesh(dir / "mesh.gltf", generate_torus_knot(600));
+    const Json position = Json::parse(content_of(dir / "mesh.gltf"))["accessors"][0];
+    const Box3d box = bounds(read_mesh(dir / "mesh.gltf"));
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(position["min"][static_cast<std::size_t>(k)].get<double>(), box.lo[k]);
+        EXPECT_EQ(position["max"][static_cast<std::size_t>(k)].get<double>(), box.hi[k]);
     }
 }
 

@@ -304,14 +304,15 @@ TEST(ReadPly, vertices_that_are_not_finite_are_read_and_counted) {
     expect_in_all_formats(text, mesh);
 }
 
-TEST(ReadPly, what_follows_the_last_element_is_skipped_and_counted) {
-    EXPECT_EQ(warnings_of(parsed_ply(kPlyTriangle + "3 0 1 2\n\nx\n")),
-              Strings{"lines after the last element, skipped (2): mesh:14: found '3', expected the "
-                      "end of the file"});
+TEST(ReadPly, what_follows_the_last_element_is_ignored_and_counted) {
+    EXPECT_EQ(
+        warnings_of(parsed_ply(kPlyTriangle + "3 0 1 2\n\nx\n")),
+        Strings{"lines after the end of the mesh, ignored (2): mesh:14: found '3', expected the "
+                "end of the file"});
     const std::string binary = binary_of(kPlyTriangle, false);
     EXPECT_EQ(
         warnings_of(parsed_ply(binary + "\n ")),
-        Strings{"bytes after the last element, skipped (1): mesh:byte " +
+        Strings{"bytes after the end of the mesh, ignored (1): mesh:byte " +
                 std::to_string(binary.size()) + ": found 2 bytes, expected the end of the file"});
 }
 

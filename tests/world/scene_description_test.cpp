@@ -90,6 +90,23 @@ TEST_F(SceneDescription, meshes_come_from_files_shapes_parallelograms_and_number
     EXPECT_EQ(world.materials[world.objects[0].materials[0]].name, "clay");
 }
 
+TEST_F(SceneDescription, meshes_are_repaired_as_they_say_and_then_as_the_reader_is_told) {
+    write_mesh(dir_ / "ball.stl", generate_icosphere(80));
+    const auto path = dir_.write("scene.json", R"({"boxwood": 2, "meshes": {
+        "a": {"file": "ball.stl", "repair": ["weld"]}, "b": {"file": "ball.stl"},
+        "c": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]], "faces": [[2, 1, 0], [0, 0, 1]],
+              "repair": ["drop-degenerate", "orient"]}}})");
+    const World world = read_world(path);
+    EXPECT_EQ(world.meshes[0].vertices.size(), 42u);
+    EXPECT_EQ(world.meshes[1].vertices.size(), 240u);
+    EXPECT_EQ(world.meshes[2].faces.size(), 1u);
+    const World welded = read_world(path, {.repair = {RepairStep::weld}});
+    EXPECT_EQ(welded.meshes[0].vertices.size(), 42u);
+    EXPECT_EQ(welded.meshes[1].vertices.size(), 42u);
+    EXPECT_EQ(read_world(dir_ / "ball.stl", {.repair = {RepairStep::weld}}).meshes[0].vertices,
+              welded.meshes[1].vertices);
+}
+
 TEST_F(SceneDescription, transforms_are_done_one_after_another) {
     const World world = read(R"(, "meshes": {"m": {"shape": "icosphere", "triangles": 20}},
         "objects": [{"mesh": "m", "transform": [
@@ -198,6 +215,10 @@ TEST_F(SceneDescription, each_fault_is_told_with_its_place) {
          "$.meshes.m.faces[0][2]: found 1, expected a whole number from 0 to 0"},
         {R"(, "meshes": {"m": {"vertices": [[0, 0, 0]], "faces": [[0, 0]]}})",
          "$.meshes.m.faces[0]: found an array of 2, expected an array of 3 indices of vertices"},
+        {R"(, "meshes": {"m": {"shape": "gyroid", "triangles": 9, "repair": ["weld", "polish"]}})",
+         "$.meshes.m.repair[1]: found \"polish\", expected one of weld, drop-degenerate, orient"},
+        {R"(, "meshes": {"m": {"shape": "gyroid", "triangles": 9, "repair": "weld"}})",
+         "$.meshes.m.repair: found \"weld\", expected an array"},
         {R"(, "objects": [{"mesh": "m"}])",
          "$.objects[0].mesh: found \"m\", expected the name of a mesh"},
         {R"(, "materials": {"a": {}, "b": {}}, "objects": [{"sphere": {"center": [0, 0, 0],

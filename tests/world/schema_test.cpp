@@ -123,11 +123,12 @@ Format version_2() {
                                         "scale": [2, 2], "offset": [0, 0.5]}},
             "print": {"color_texture": "paint.png"}},
         "meshes": {
-            "file": {"file": "mesh.off"},
-            "shape": {"shape": "icosphere", "triangles": 20},
-            "floor": {"parallelogram": {"origin": [-1, 0, 0], "u": [2, 0, 0], "v": [0, 0, 2]}},
+            "file": {"file": "mesh.off", "repair": ["weld", "drop-degenerate", "orient"]},
+            "shape": {"shape": "icosphere", "triangles": 20, "repair": ["weld"]},
+            "floor": {"parallelogram": {"origin": [-1, 0, 0], "u": [2, 0, 0], "v": [0, 0, 2]},
+                      "repair": []},
             "inline": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
-                       "faces": [[0, 1, 2], [0, 1, 3]]}},
+                       "faces": [[0, 1, 2], [0, 1, 3]], "repair": ["orient"]}},
         "objects": [
             {"mesh": "file", "material": "paint",
              "transform": [{"translate": [1, 0, 0]}, {"rotate": {"axis": [0, 1, 0], "angle": 90}},

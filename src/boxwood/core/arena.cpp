@@ -4,15 +4,12 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "boxwood/core/huge_pages.h"
 
 namespace boxwood {
 
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kCacheLine = 64;
 
 std::size_t rounded_up(std::size_t size, std::size_t unit) {
@@ -28,9 +25,7 @@ Arena::Arena(std::size_t size) : size_(size) {
     const std::size_t rounded = rounded_up(size, alignment);
     void* memory = std::aligned_alloc(alignment, rounded);
     if (!memory) throw std::bad_alloc();
-#if defined(__linux__)
-    if (alignment == kHugePage) madvise(memory, rounded, MADV_HUGEPAGE);
-#endif
+    prefer_huge_pages(memory, rounded);
     memory_.reset(static_cast<std::byte*>(memory));
 }
 

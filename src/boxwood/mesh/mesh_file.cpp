@@ -12,6 +12,9 @@
 #include "boxwood/mesh/off.h"
 #include "boxwood/mesh/ply.h"
 #include "boxwood/mesh/stl.h"
+#ifdef BOXWOOD_WITH_ASSIMP
+#include "boxwood/mesh/assimp.h"
+#endif
 
 namespace boxwood {
 
@@ -27,6 +30,15 @@ std::string lower_case_extension(const fs::path& path) {
     return extension;
 }
 
+/// Formats that another library reads.
+std::span<const MeshFormat> more_formats() {
+#ifdef BOXWOOD_WITH_ASSIMP
+    return assimp_formats();
+#else
+    return {};
+#endif
+}
+
 InvalidInput unknown_format(const fs::path& path, bool must_write) {
     std::string known;
     for (const MeshFormat& format : mesh_formats()) {
@@ -34,17 +46,22 @@ InvalidInput unknown_format(const fs::path& path, bool must_write) {
         if (!known.empty()) known += ", ";
         known += format.extension;
     }
+    const char* more = must_write               ? ""
+                       : more_formats().empty() ? " (built with assimp, Boxwood would read more)"
+                                                : " or in what assimp reads";
     const std::string extension = path.extension().string();
     return InvalidInput(
-        fmt::format("{}: found {}, expected a mesh file that ends in {}", path.string(),
-                    extension.empty() ? "a name without extension" : extension, known));
+        fmt::format("{}: found {}, expected a mesh file that ends in {}{}", path.string(),
+                    extension.empty() ? "a name without extension" : extension, known, more));
 }
 
 const MeshFormat* find_format(fs::path path) {
     if (lower_case_extension(path) == ".gz") path.replace_extension();
     const std::string extension = lower_case_extension(path);
-    for (const MeshFormat& format : mesh_formats()) {
-        if (format.extension == extension) return &format;
+    for (const std::span<const MeshFormat> formats : {mesh_formats(), more_formats()}) {
+        for (const MeshFormat& format : formats) {
+            if (format.extension == extension) return &format;
+        }
     }
     return nullptr;
 }

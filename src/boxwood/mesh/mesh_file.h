@@ -18,15 +18,15 @@ struct MeshFormat {
     MeshData (*parse)(const MeshSource& source, const ReadOptions& options);
     void (*write)(const std::filesystem::path& path, MeshView mesh,
                   const MeshAttributes& attributes);
-    /// Whether the writer keeps an attribute.
+    /// Whether the writer keeps an attribute; null without a writer.
     bool (*holds)(const AttributeName& attribute);
 };
 
-/// All of them.
+/// Those that Boxwood reads by itself.
 std::span<const MeshFormat> mesh_formats();
 
 /// The format that a file's extension names, in upper or lower case, with or without ".gz" behind
-/// it. Throws InvalidInput when there is none such.
+/// it; in a library built with assimp also one of those that only assimp reads. Throws InvalidInput when there is none such.
 const MeshFormat& mesh_format_of(const std::filesystem::path& path);
 
 /// Reads a mesh file in the format that its extension names; files packed by gzip are unpacked.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/obj.h"
 #include "boxwood/mesh/obj/obj_chunk.h"
 #include "boxwood/mesh/text_chunks.h"
@@ -71,10 +72,10 @@ private:
         check_count(all.vertices, "vertices");
         check_count(all.texture_coordinates, "texture coordinates");
         check_count(all.normals, "normals");
-        mesh_.vertices.resize(all.vertices);
+        resize_on_huge_pages(mesh_.vertices, all.vertices);
         body_.vertices = mesh_.vertices;
-        body_.texture_coordinates.resize(all.texture_coordinates);
-        body_.normals.resize(all.normals);
+        resize_on_huge_pages(body_.texture_coordinates, all.texture_coordinates);
+        resize_on_huge_pages(body_.normals, all.normals);
     }
 
     void check_count(std::size_t count, const char* what) const {
@@ -107,7 +108,7 @@ private:
                 fmt::format("found {} faces, expected at most {}", count, body_.max_faces));
         for_each_chunk(chunks_, [this](ObjChunk& chunk) { mend(chunk); });
 
-        mesh_.faces.resize(count);
+        resize_on_huge_pages(mesh_.faces, count);
         MeshAttributes& attributes = mesh_.attributes;
         attributes.texture_coordinates = values_of_corners(
             body_.texture_coordinates, &ObjChunk::texture_faces, "texture coordinate");
@@ -154,7 +155,7 @@ private:
                 });
         } else {
             result.of = ValuesOf::corners;
-            result.values.resize(3 * mesh_.faces.size());
+            resize_on_huge_pages(result.values, 3 * mesh_.faces.size());
             for_each_chunk(chunks_, [&](ObjChunk& chunk) {
                 spread(values, chunk.*indices, chunk, what, result.values);
             });

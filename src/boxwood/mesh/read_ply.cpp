@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/ply.h"
 #include "boxwood/mesh/ply/ply_body.h"
@@ -149,12 +150,12 @@ private:
 
     void join_polygons(std::size_t triangles) {
         for_each_chunk(parts_, [this](PlyFaces& part) { mend(part); });
-        mesh_.faces.resize(triangles);
+        resize_on_huge_pages(mesh_.faces, triangles);
         bind_columns(body_.face_columns, *body_.faces, ValuesOf::faces, triangles, mesh_);
         MeshValues<Vec2f>& texture = mesh_.attributes.texture_coordinates;
         if (body_.face_texture_coordinates) {
             texture.of = ValuesOf::corners;
-            texture.values.resize(3 * triangles);
+            resize_on_huge_pages(texture.values, 3 * triangles);
         }
         for_each_chunk(parts_, [&](PlyFaces& part) {
             const PlyFaceBatch& batch = part.polygons;

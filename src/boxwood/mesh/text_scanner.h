@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fast_float/fast_float.h>
-
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "boxwood/mesh/text_numbers.h"
 
 namespace boxwood {
 
@@ -41,10 +40,14 @@ public:
 
     /// Moves to the start of the next line.
     void finish_line() {
+        ++line_;
+        if (at_ != end_ && *at_ == '\n') {
+            ++at_;
+            return;
+        }
         const auto left = static_cast<std::size_t>(end_ - at_);
         const void* newline = left > 0 ? std::memchr(at_, '\n', left) : nullptr;
         at_ = newline ? static_cast<const char*>(newline) + 1 : end_;
-        ++line_;
     }
 
     /// The next word of the line; empty when it holds none.
@@ -64,20 +67,19 @@ public:
 
     /// The next word as a number, or nothing, staying before it, when it isn't one. Correctly
     /// rounded; may be infinite or NaN.
-    std::optional<double> number() {
-        return parsed<double>([](const char* first, const char* last, double& value) {
-            auto result = fast_float::from_chars(first, last, value);
-            // Its newer versions report what older ones only round, to 0 or to infinity.
-            if (result.ec == std::errc::result_out_of_range) result.ec = std::errc();
-            return result;
-        });
-    }
+    std::optional<double> number() { return parsed<double>(); }
 
     /// The next word as a whole number of 64 bits, or nothing, staying before it.
-    std::optional<std::int64_t> integer() {
-        return parsed<std::int64_t>([](const char* first, const char* last, std::int64_t& value) {
-            return std::from_chars(first, last, value);
-        });
+    std::optional<std::int64_t> integer() { return parsed<std::int64_t>(); }
+
+    /// Reads so many numbers and moves to the end of the line if they fill what is left of it,
+    /// parted by single spaces, as most programs write them. Else false, staying where it is:
+    /// whoever knows more ways to write a line reads it. For speed.
+    template <class Value>
+    bool plain_line(Value* values, std::size_t count) {
+        const char* const newline = parse_plain_line(at_, end_, values, count);
+        if (newline) at_ = newline;
+        return newline != nullptr;
     }
 
 private:
@@ -86,12 +88,12 @@ private:
     }
     static bool ends_word(char c) { return is_blank(c) || c == '\n' || c == '#'; }
 
-    template <class Value, class Parse>
-    std::optional<Value> parsed(const Parse& parse) {
+    template <class Value>
+    std::optional<Value> parsed() {
         if (at_end_of_line()) return std::nullopt;
         const bool has_plus = at_[0] == '+' && at_ + 1 != end_ && at_[1] != '-';
         Value value = {};
-        const auto [last, error] = parse(at_ + has_plus, end_, value);
+        const auto [last, error] = parse_text(at_ + has_plus, end_, value);
         if (error != std::errc() || (last != end_ && !ends_word(*last))) return std::nullopt;
         at_ = last;
         return value;

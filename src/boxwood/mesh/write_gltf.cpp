@@ -67,14 +67,14 @@ private:
     void add_attributes(const MeshData& mesh) {
         if (mesh.vertices.empty()) return;
         std::size_t begin = bytes_.size();
-        Box3d box;
+        Box3f box;
         for (const Vec3d& p : mesh.vertices) {
             const Vec3f rounded = p.cast<float>();
             for (const float x : rounded) append_number(bytes_, x);
-            if (rounded.allFinite()) box.extend(rounded.cast<double>());
+            if (rounded.allFinite()) box.extend(rounded);
         }
         Json& positions = add_accessor(begin, mesh.vertices.size(), "VEC3", kFloat, kVertexData);
-        if (box.is_empty()) box = {Vec3d::Zero(), Vec3d::Zero()};
+        if (box.is_empty()) box = {Vec3f::Zero(), Vec3f::Zero()};
         positions["min"] = {box.lo.x(), box.lo.y(), box.lo.z()};
         positions["max"] = {box.hi.x(), box.hi.y(), box.hi.z()};
         attributes_["POSITION"] = last_accessor();

@@ -71,6 +71,18 @@ World read_scene_file(const fs::path& path, const WorldOptions& options) {
                       : read_scene_description(json, path, options.read, options.data_folder);
 }
 
+World read_unrepaired(const fs::path& path, const WorldOptions& options) {
+    if (path.extension() == ".json") return read_scene_file(path, options);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw IoError(path.string(), "found a directory, expected a file");
+    const MeshFormat& format = mesh_format_of(path);
+    if (format.extension != ".gltf" && format.extension != ".glb")
+        return read_mesh_world(path, options);
+    const FileContent content(path, options.read.limits);
+    return parse_gltf_world({content.bytes(), path}, options.read);
+}
+
 }  // namespace
 
 World world_of_mesh(MeshData mesh, UpAxis up, std::vector<Material> materials,
@@ -109,15 +121,9 @@ World world_of_mesh(MeshData mesh, UpAxis up, std::vector<Material> materials,
 }
 
 World read_world(const fs::path& path, const WorldOptions& options) {
-    if (path.extension() == ".json") return read_scene_file(path, options);
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        throw IoError(path.string(), "found a directory, expected a file");
-    const MeshFormat& format = mesh_format_of(path);
-    if (format.extension != ".gltf" && format.extension != ".glb")
-        return read_mesh_world(path, options);
-    const FileContent content(path, options.read.limits);
-    return parse_gltf_world({content.bytes(), path}, options.read);
+    World world = read_unrepaired(path, options);
+    for (MeshData& mesh : world.meshes) repair(mesh, options.repair);
+    return world;
 }
 
 }  // namespace boxwood

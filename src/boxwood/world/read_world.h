@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "boxwood/mesh/mesh_source.h"
+#include "boxwood/mesh/repair.h"
 #include "boxwood/world/studio.h"
 #include "boxwood/world/world.h"
 
@@ -16,6 +18,8 @@ struct WorldOptions {
     std::filesystem::path data_folder = {};
     /// For a mesh file; without it y, or z for formats of printers and machines (.stl).
     std::optional<UpAxis> up = {};
+    /// What is done about each mesh once it's read.
+    std::vector<RepairStep> repair = {};
 };
 
 /// Whatever a picture can be made of: a scene file (.json, classic or of version 2), a glTF file,

@@ -18,6 +18,7 @@
 #include "boxwood/mesh/file_content.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/mesh_file.h"
+#include "boxwood/mesh/repair.h"
 #include "boxwood/world/degrees.h"
 #include "boxwood/world/description_camera.h"
 #include "boxwood/world/description_files.h"
@@ -72,6 +73,12 @@ AffineMap read_transform(const JsonReader& json) {
     AffineMap map = AffineMap::Identity();
     for (const JsonReader& step : json.array()) map = AffineMap(read_step(step) * map);
     return map;
+}
+
+std::vector<RepairStep> read_repair(const JsonReader& json) {
+    std::vector<RepairStep> steps;
+    for (const JsonReader& step : json.array()) steps.push_back(step.choice(repair_steps()));
+    return steps;
 }
 
 class DescriptionReader {
@@ -154,6 +161,7 @@ private:
                 if (!meshes_.emplace(name, world_.meshes.size()).second)
                     value.fail("a name that no other file has for a mesh");
                 MeshData mesh = read_mesh_of(value, folder);
+                if (const auto steps = value.find("repair")) repair(mesh, read_repair(*steps));
                 world_.warnings.append(std::exchange(mesh.warnings, {}));
                 world_.meshes.push_back(std::move(mesh));
             }
@@ -187,11 +195,11 @@ private:
 
     MeshData read_mesh_of(const JsonReader& json, const fs::path& folder) const {
         if (const auto file = json.find("file")) {
-            json.expect_keys({"file"});
+            json.expect_keys({"file"}, {"repair"});
             return read_mesh(files_.find(*file, folder), files_.options());
         }
         if (const auto shape = json.find("shape")) {
-            json.expect_keys({"shape", "triangles"});
+            json.expect_keys({"shape", "triangles"}, {"repair"});
             const std::vector<std::string_view>& shapes = generated_shapes();
             if (std::find(shapes.begin(), shapes.end(), shape->string()) == shapes.end())
                 shape->fail(fmt::format("one of {}", fmt::join(shapes, ", ")));
@@ -200,14 +208,14 @@ private:
             return {generate(shape->string(), json["triangles"].integer(1, most)), {}, {}};
         }
         if (const auto parallelogram = json.find("parallelogram")) {
-            json.expect_keys({"parallelogram"});
+            json.expect_keys({"parallelogram"}, {"repair"});
             parallelogram->expect_keys({"origin", "u", "v"});
             return {make_parallelogram((*parallelogram)["origin"].vec3(),
                                        (*parallelogram)["u"].vec3(), (*parallelogram)["v"].vec3()),
                     {},
                     {}};
         }
-        json.expect_keys({"vertices", "faces"});
+        json.expect_keys({"vertices", "faces"}, {"repair"});
         MeshData mesh;
         for (const JsonReader& vertex : json["vertices"].array())
             mesh.vertices.push_back(vertex.vec3());

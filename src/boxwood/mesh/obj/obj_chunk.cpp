@@ -168,7 +168,7 @@ private:
     void read_vertex() {
         const std::size_t i = next_.vertices++;
         Vec3d& vertex = body_.vertices[i];
-        read_numbers(vertex, 3, "vertex", i);
+        if (!scanner_.plain_line(vertex.data(), 3)) read_numbers(vertex, 3, "vertex", i);
         if (!vertex.allFinite())
             warn(kNotFinite, fmt::format("vertex {}: found ({}, {}, {}), expected finite numbers",
                                          i + 1, vertex.x(), vertex.y(), vertex.z()));
@@ -209,12 +209,33 @@ private:
 
     void read_normal() {
         const std::size_t i = next_.normals++;
+        if (scanner_.plain_line(body_.normals[i].data(), 3)) return;
         read_numbers(body_.normals[i], 3, "normal", i);
         std::array<float, 1> more = {};
         if (read_more(more) > 0) warn_of_more();
     }
 
+    /// Three indices of vertices, from 1 on, and nothing else.
+    bool read_plain_triangle() {
+        const ObjScanner before = scanner_;
+        std::array<std::int64_t, 3> numbers;
+        const auto is_vertex = [&](std::int64_t number) {
+            return number > 0 && static_cast<std::uint64_t>(number) <= body_.counts.vertices;
+        };
+        if (scanner_.plain_line(numbers.data(), 3) && is_vertex(numbers[0]) &&
+            is_vertex(numbers[1]) && is_vertex(numbers[2])) {
+            const auto corner = [&](std::size_t k) {
+                return Corner{.vertex = static_cast<int>(numbers[k] - 1)};
+            };
+            add_triangle(corner(0), corner(1), corner(2));
+            return true;
+        }
+        scanner_ = before;
+        return false;
+    }
+
     void read_face() {
+        if (read_plain_triangle()) return;
         Corner first, before;
         std::size_t count = 0;
         for (; !scanner_.at_end_of_statement(); ++count) {

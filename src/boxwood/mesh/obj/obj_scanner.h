@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fast_float/fast_float.h>
-
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -11,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "boxwood/mesh/text_numbers.h"
 
 namespace boxwood {
 
@@ -50,7 +49,9 @@ public:
     void finish_statement() {
         for (bool is_joined = true; is_joined;) {
             const auto left = static_cast<std::size_t>(end_ - at_);
-            const void* found = left > 0 ? std::memchr(at_, '\n', left) : nullptr;
+            const void* found = left == 0      ? nullptr
+                                : *at_ == '\n' ? at_
+                                               : std::memchr(at_, '\n', left);
             const char* newline = found ? static_cast<const char*>(found) : end_;
             is_joined = found && is_joint(newline);
             at_ = found ? newline + 1 : end_;
@@ -89,9 +90,8 @@ public:
         if (at_end_of_statement()) return std::nullopt;
         const bool has_plus = at_[0] == '+' && at_ + 1 != end_ && at_[1] != '-';
         Value value = {};
-        const auto [last, error] = fast_float::from_chars(at_ + has_plus, end_, value);
-        const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
-        if (!is_number || !ends_word(last)) return std::nullopt;
+        const auto [last, error] = parse_text(at_ + has_plus, end_, value);
+        if (error != std::errc() || !ends_word(last)) return std::nullopt;
         if (last != end_ && *last == '#' && last[-1] == '.') return unusual_number<Value>();
         at_ = last;
         return value;
@@ -102,10 +102,20 @@ public:
     std::optional<std::int64_t> integer() {
         std::int64_t value = 0;
         const bool has_plus = at_ != end_ && at_[0] == '+' && at_ + 1 != end_ && at_[1] != '-';
-        const auto [last, error] = std::from_chars(at_ + has_plus, end_, value);
+        const auto [last, error] = parse_text(at_ + has_plus, end_, value);
         if (error != std::errc()) return std::nullopt;
         at_ = last;
         return value;
+    }
+
+    /// Reads so many numbers and moves to the end of the line if they fill what is left of it,
+    /// parted by single spaces, as most programs write them. Else false. Skips blanks. For speed.
+    template <class Value>
+    bool plain_line(Value* values, std::size_t count) {
+        while (at_ != end_ && is_blank(*at_)) ++at_;
+        const char* const newline = parse_plain_line(at_, end_, values, count);
+        if (newline) at_ = newline;
+        return newline != nullptr;
     }
 
     /// Moves past the character if it comes next.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/reader_warnings.h"
 
 namespace boxwood {
@@ -41,10 +42,14 @@ void OffFaces::add_color(const OffColor& color, std::size_t i, const OffPlace& p
     if (is_colored_ && color.is_rgb()) {
         warn_of_off_color(warnings_, *file_, color, place);
         colors_.resize(triangles_.size(), unscaled(color, largest_color_));
-    } else {
-        is_colored_ = false;
-        std::vector<VertexColor>().swap(colors_);
+    } else if (is_colored_) {
+        drop_colors();
     }
+}
+
+void OffFaces::drop_colors() {
+    is_colored_ = false;
+    std::vector<VertexColor>().swap(colors_);
 }
 
 void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, const Limits& limits,
@@ -67,7 +72,7 @@ void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, c
             file, "",
             fmt::format("found {} triangles, expected at most {}", count, limits.max_faces));
 
-    mesh.faces.resize(count);
+    resize_on_huge_pages(mesh.faces, count);
     if (is_colored && count > 0) {
         mesh.attributes.colors.of = ValuesOf::faces;
         mesh.attributes.colors.values.resize(count);

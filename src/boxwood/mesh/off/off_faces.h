@@ -26,6 +26,11 @@ public:
         triangles_.push_back(fan_);
         fan_[1] = fan_[2];
     }
+    /// Adds a face of three corners and no colour.
+    void add_triangle(const Vec3i& corners) {
+        triangles_.push_back(corners);
+        if (is_colored_) drop_colors();
+    }
     /// Ends that face, the i-th of the file. One of fewer than three corners is skipped.
     void end_face(const OffColor& color, std::size_t i, const OffPlace& place);
 
@@ -39,6 +44,7 @@ public:
                      const Limits& limits, MeshData& mesh);
 
 private:
+    void drop_colors();
     void add_color(const OffColor& color, std::size_t i, const OffPlace& place);
 
     const std::string* file_;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/reader_warnings.h"
 
 namespace boxwood {
@@ -20,7 +21,7 @@ bool is_in_float_range(const Vec3d& p) {
 }  // namespace
 
 void resize_off_vertices(const OffHeader& header, MeshData& mesh) {
-    mesh.vertices.resize(header.vertices);
+    resize_on_huge_pages(mesh.vertices, header.vertices);
     if (header.has_normals) mesh.attributes.normals.values.resize(header.vertices);
     if (header.has_colors) mesh.attributes.colors.values.resize(header.vertices);
     if (header.has_texture_coordinates)

@@ -12,6 +12,8 @@
 #include "boxwood/mesh/off/off_body.h"
 #include "boxwood/mesh/off/off_faces.h"
 #include "boxwood/mesh/off/off_vertices.h"
+#include "boxwood/mesh/plain_triangle.h"
+#include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_chunks.h"
 
 namespace boxwood {
@@ -21,6 +23,7 @@ namespace {
 struct Chunk : TextChunk {
     OffVertices vertices;
     OffFaces faces;
+    Warnings trailing = {};  ///< of lines after the last face
 };
 
 class OffTextReader {
@@ -61,20 +64,21 @@ private:
 
         TextScanner scanner(chunk.text, chunk.first_line);
         for (; scanner.find_word(); ++i, scanner.finish_line()) {
-            if (i >= end)
-                fail(scanner,
-                     fmt::format("found {} after the last face, expected the end of the file",
-                                 quoted(scanner.word())));
             if (i < header_.vertices) {
                 read_vertex(scanner, i, chunk.vertices);
-            } else {
+            } else if (i < end) {
                 read_face(scanner, i - header_.vertices, chunk.faces);
+            } else {
+                warn_of_end(scanner, chunk.trailing);
             }
         }
     }
 
     void read_vertex(TextScanner& scanner, std::size_t i, OffVertices& part) {
         OffVertex vertex;
+        if (has_positions_only_ && scanner.plain_line(vertex.position.data(), 3))
+            return set_off_vertex(header_, name_, vertex, i, {.number = scanner.line()}, mesh_,
+                                  part);
         read_numbers(scanner, i, "coordinates", 3 + header_.is_homogeneous,
                      [&](int k, double x) { (k < 3 ? vertex.position[k] : vertex.w) = x; });
         if (header_.has_normals)
@@ -133,6 +137,8 @@ private:
     }
 
     void read_face(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
+        if (const auto triangle = plain_triangle(scanner, header_.vertices))
+            return faces.add_triangle(*triangle);
         const auto corners = scanner.integer();
         if (!corners) fail_integer(scanner);
         if (*corners < 0)
@@ -175,6 +181,15 @@ private:
         fail(scanner, fmt::format("found {}, expected a whole number", quoted(scanner.word())));
     }
 
+    void warn_of_end(TextScanner& scanner, Warnings& warnings) const {
+        warnings.add_lazily(kTrailingLines, name_, [&] {
+            return std::pair(
+                std::to_string(scanner.line()),
+                fmt::format("found {} after the last face, expected the end of the file",
+                            quoted(scanner.word())));
+        });
+    }
+
     void join() {
         float largest_color = 0;
         std::vector<OffFaces*> faces;
@@ -185,9 +200,12 @@ private:
         }
         scale_off_colors(mesh_.attributes.colors.values, largest_color);
         OffFaces::join(faces, name_, limits_, mesh_);
+        for (const Chunk& chunk : chunks_) mesh_.warnings.append(chunk.trailing);
     }
 
     OffHeader header_;
+    bool has_positions_only_ = !(header_.is_homogeneous || header_.has_normals ||
+                                 header_.has_colors || header_.has_texture_coordinates);
     std::string name_;
     Limits limits_;
     std::vector<Chunk> chunks_;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "boxwood/core/huge_pages.h"
+
 namespace boxwood {
 
 namespace {
@@ -79,14 +81,14 @@ bool has_role(const std::vector<PlyColumn>& columns, PlyRole role) {
 void bind_columns(std::vector<PlyColumn>& columns, const PlyElement& element, ValuesOf of,
                   std::size_t count, MeshData& mesh) {
     MeshAttributes& attributes = mesh.attributes;
-    if (has_role(columns, PlyRole::position)) mesh.vertices.resize(count);
+    if (has_role(columns, PlyRole::position)) resize_on_huge_pages(mesh.vertices, count);
     if (has_role(columns, PlyRole::normal)) {
         attributes.normals.of = of;
-        attributes.normals.values.resize(count);
+        resize_on_huge_pages(attributes.normals.values, count);
     }
     if (has_role(columns, PlyRole::texture_coordinate)) {
         attributes.texture_coordinates.of = of;
-        attributes.texture_coordinates.values.resize(count);
+        resize_on_huge_pages(attributes.texture_coordinates.values, count);
     }
     if (has_role(columns, PlyRole::color)) {
         attributes.colors.of = of;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/ply/ply_cursor.h"
 #include "boxwood/mesh/ply/ply_rows.h"
@@ -45,8 +46,7 @@ public:
             if (element.is_stored()) read_element(element);
         }
         if (at_ < body_.text.size())
-            body_.mesh.warnings.add("bytes after the last element, skipped", body_.name,
-                                    fmt::format("byte {}", at_),
+            body_.mesh.warnings.add(kTrailingBytes, body_.name, fmt::format("byte {}", at_),
                                     fmt::format("found {} bytes, expected the end of the file",
                                                 body_.text.size() - at_));
         return std::move(faces_);
@@ -163,7 +163,7 @@ private:
         std::size_t offset = 0;
         for (std::size_t i = 0; i < *body_.face_indices; ++i)
             offset += size_of(element.properties[i].type);
-        body_.mesh.faces.resize(element.count);
+        resize_on_huge_pages(body_.mesh.faces, element.count);
         const bool are_triangles =
             size_of(indices.count_type) == 1   ? read_triangles<std::uint8_t>(offset, size)
             : size_of(indices.count_type) == 2 ? read_triangles<std::uint16_t>(offset, size)

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/mesh/plain_triangle.h"
 #include "boxwood/mesh/ply/ply_rows.h"
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
@@ -13,6 +15,9 @@
 namespace boxwood {
 
 namespace {
+
+/// Numbers of a vertex whose line is read at once.
+constexpr std::size_t kMostPlainNumbers = 16;
 
 struct Chunk : TextChunk {
     PlyFaces faces;
@@ -125,12 +130,13 @@ private:
             find_element();
             if (element == elements_.end()) {
                 cursor.warn(
-                    chunk.faces.warnings, "lines after the last element, skipped",
+                    chunk.faces.warnings, kTrailingLines,
                     fmt::format("found {}, expected the end of the file", quoted(scanner.word())));
             } else if (*element == body_.vertices) {
-                read_ply_vertex(cursor, body_, row);
+                if (!read_plain_vertex(scanner, row)) read_ply_vertex(cursor, body_, row);
             } else if (*element == body_.faces) {
-                read_ply_face(cursor, body_, row, polygon, chunk.faces);
+                if (!read_plain_triangle(scanner, chunk.faces.polygons))
+                    read_ply_face(cursor, body_, row, polygon, chunk.faces);
             } else if (*element == body_.strips) {
                 read_ply_strips(cursor, body_, row, indices, chunk.faces);
             }
@@ -141,7 +147,26 @@ private:
         }
     }
 
+    bool read_plain_vertex(TextScanner& scanner, std::size_t row) {
+        const std::size_t count = body_.vertex_columns.size();
+        std::array<double, kMostPlainNumbers> numbers;
+        if (!has_plain_vertices_ || !scanner.plain_line(numbers.data(), count)) return false;
+        for (std::size_t i = 0; i < count; ++i) body_.vertex_columns[i].set(row, numbers[i]);
+        if (!body_.mesh.vertices[row].allFinite()) body_.has_unfinite_vertices = true;
+        return true;
+    }
+
+    bool read_plain_triangle(TextScanner& scanner, PlyFaceBatch& batch) const {
+        if (!has_plain_faces_ || batch.faces.size() == body_.max_faces) return false;
+        const auto triangle = plain_triangle(scanner, body_.vertices->count);
+        if (triangle) batch.faces.push_back(*triangle);
+        return triangle.has_value();
+    }
+
     PlyBody& body_;
+    bool has_plain_vertices_ =
+        !body_.vertices->has_lists() && body_.vertices->properties.size() <= kMostPlainNumbers;
+    bool has_plain_faces_ = body_.faces && body_.faces->properties.size() == 1;
     std::vector<const PlyElement*> elements_;
     std::vector<Chunk> chunks_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/byte_order.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/stl.h"
@@ -35,8 +36,8 @@ public:
 
     MeshData read() {
         const std::size_t count = read_count();
-        mesh_.vertices.resize(3 * count);
-        mesh_.faces.resize(count);
+        resize_on_huge_pages(mesh_.vertices, 3 * count);
+        resize_on_huge_pages(mesh_.faces, count);
         std::vector<Piece> pieces;
         for (std::size_t first = 0; first < count; first += kPiece)
             pieces.push_back({.first = first, .last = std::min(count, first + kPiece)});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/stl.h"
 #include "boxwood/mesh/stl/stl_solids.h"
@@ -77,9 +78,7 @@ private:
     void number_lines() {
         std::vector<std::size_t> lines(chunks_.size());
         parallel_for(chunks_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                lines[i] = static_cast<std::size_t>(
-                    std::count(chunks_[i].text.begin(), chunks_[i].text.end(), '\n'));
+            for (std::size_t i = begin; i < end; ++i) lines[i] = count_line_ends(chunks_[i].text);
         });
         std::size_t line = 1;
         for (std::size_t i = 0; i < chunks_.size(); ++i)
@@ -89,7 +88,7 @@ private:
     void read_chunk(Chunk& chunk) const {
         StlWords words(chunk.text, chunk.first_line);
         while (true) {
-            const std::string_view word = words.word();
+            const std::string_view word = words.accept("facet") ? "facet" : words.word();
             if (word.empty()) return;
             if (is_keyword(word, "facet")) {
                 read_facet(words, chunk);
@@ -111,6 +110,16 @@ private:
         expect(words, "normal");
         bool has_normal = true;
         Vec3d normal = Vec3d::Zero();
+        if (!words.plain_line(normal)) has_normal = read_normal(words, chunk, line, normal);
+        expect(words, "outer");
+        expect(words, "loop");
+        read_corners(words, chunk, line, has_normal ? normal : Vec3d::Zero());
+        expect(words, "endfacet");
+    }
+
+    /// Whether it's a normal at all.
+    bool read_normal(StlWords& words, Chunk& chunk, std::size_t line, Vec3d& normal) const {
+        bool has_normal = true;
         for (double& x : normal) {
             const std::string_view word = words.word();
             const auto number = number_of(word);
@@ -125,30 +134,31 @@ private:
                 });
             x = number.value_or(0);
         }
-        expect(words, "outer");
-        expect(words, "loop");
-        read_corners(words, chunk, line, has_normal ? normal : Vec3d::Zero());
-        expect(words, "endfacet");
+        return has_normal;
+    }
+
+    void read_vertex(StlWords& words, Vec3d& vertex) const {
+        for (double& x : vertex) {
+            const std::string_view text = words.word();
+            const auto number = number_of(text);
+            if (!number)
+                fail(words, fmt::format("found {}, expected a number", StlWords::shown(text)));
+            x = *number;
+        }
     }
 
     void read_corners(StlWords& words, Chunk& chunk, std::size_t line, const Vec3d& normal) const {
         Vec3d corners[3];
         int count = 0;
         while (true) {
-            const std::string_view word = words.word();
+            const std::string_view word = words.accept("vertex") ? "vertex" : words.word();
             if (is_keyword(word, "endloop")) break;
             if (!is_keyword(word, "vertex"))
                 fail(words,
                      fmt::format("found {}, expected vertex or endloop", StlWords::shown(word)));
             if (count == 3) fail(words, "found a fourth vertex, expected three a facet");
             const std::size_t vertex_line = words.line();
-            for (double& x : corners[count]) {
-                const std::string_view text = words.word();
-                const auto number = number_of(text);
-                if (!number)
-                    fail(words, fmt::format("found {}, expected a number", StlWords::shown(text)));
-                x = *number;
-            }
+            if (!words.plain_line(corners[count])) read_vertex(words, corners[count]);
             warn_of_vertex(chunk, vertex_line, corners[count]);
             ++count;
         }
@@ -164,6 +174,7 @@ private:
     }
 
     void expect(StlWords& words, std::string_view keyword) const {
+        if (words.accept(keyword)) return;
         const std::string_view word = words.word();
         if (!is_keyword(word, keyword))
             fail(words, fmt::format("found {}, expected {}", StlWords::shown(word), keyword));
@@ -194,8 +205,8 @@ private:
         if (count > most)
             throw ParseError(name_, "",
                              fmt::format("found {} triangles, expected at most {}", count, most));
-        mesh_.faces.resize(count);
-        mesh_.vertices.resize(3 * count);
+        resize_on_huge_pages(mesh_.faces, count);
+        resize_on_huge_pages(mesh_.vertices, 3 * count);
     }
 
     void place_solids() {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fast_float/fast_float.h>
-
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "boxwood/core/vec.h"
+#include "boxwood/mesh/text_numbers.h"
 #include "boxwood/mesh/text_scanner.h"
 
 namespace boxwood {
@@ -28,6 +28,27 @@ public:
         const char* first = at_;
         while (at_ != end_ && !is_blank(*at_)) ++at_;
         return {first, static_cast<std::size_t>(at_ - first)};
+    }
+
+    /// Moves past the keyword if it comes next as it is written here; quicker than word().
+    bool accept(std::string_view keyword) {
+        for (; at_ != end_ && is_blank(*at_); ++at_) line_ += *at_ == '\n';
+        const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
+        if (!rest.starts_with(keyword)) return false;
+        if (rest.size() > keyword.size() && !is_blank(rest[keyword.size()])) return false;
+        at_ += keyword.size();
+        return true;
+    }
+
+    /// Reads the three numbers of a vector and moves to the end of the line if they fill what is
+    /// left of it, parted by single spaces, as most programs write them. Else false, staying where
+    /// it is. For speed.
+    bool plain_line(Vec3d& vector) {
+        const char* first = at_;
+        while (first != end_ && *first == ' ') ++first;
+        const char* const newline = parse_plain_line(first, end_, vector.data(), 3);
+        if (newline) at_ = newline;
+        return newline != nullptr;
     }
 
     /// What is left of the line, without blanks around it.
@@ -69,9 +90,8 @@ inline std::optional<double> number_of(std::string_view word) {
     if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
     double value = 0;
     const char* end = word.data() + word.size();
-    const auto [last, error] = fast_float::from_chars(word.data(), end, value);
-    const bool is_number = error == std::errc() || error == std::errc::result_out_of_range;
-    if (word.empty() || !is_number || last != end) return std::nullopt;
+    const auto [last, error] = parse_text(word.data(), end, value);
+    if (word.empty() || error != std::errc() || last != end) return std::nullopt;
     return value;
 }
 
