@@ -19,11 +19,11 @@ inline constexpr bool kIsSanitized = false;
 inline constexpr bool kIsSanitized = false;
 #endif
 
-/// Of so many cases one is tried. A prime, so that every seventh item of a list where kinds take
-/// turns has some of each.
-inline constexpr int kThinning = kIsSanitized ? 7 : 1;
+/// Of so many cases one is tried. A prime, so that every 13th item of a list where kinds take turns
+/// has some of each.
+inline constexpr int kThinning = kIsSanitized ? 13 : 1;
 
-/// All of them, or a seventh under a sanitizer, but ten at least.
+/// All of them, or a 13th under a sanitizer, but ten at least.
 template <class Integer>
 constexpr Integer cases(Integer all) {
     const Integer tried = all / static_cast<Integer>(kThinning);
