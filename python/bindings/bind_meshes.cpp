@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -196,11 +197,13 @@ void bind_meshes(nb::module_& module) {
         .def("set_attribute", &set_attribute, "name"_a, "of"_a, "table"_a.noconvert())
         .def("add_field", &add_field, "name"_a, "of"_a, "values"_a.noconvert())
         .def("set_labels", &set_labels, "kind"_a, "names"_a, "of_face"_a.noconvert())
+        .def("check_attributes",
+             [](const MeshData& self) { check_attributes(self, self.attributes); })
         .def("inspect", &inspect_mesh)
         .def("repair", &repair_mesh, "steps"_a)
         .def(
             "write",
-            [](const MeshData& self, const std::string& path) {
+            [](const MeshData& self, const std::filesystem::path& path) {
                 const nb::gil_scoped_release unlocked;
                 write_mesh(path, self, self.attributes);
             },
@@ -208,7 +211,7 @@ void bind_meshes(nb::module_& module) {
 
     module.def(
         "read_mesh",
-        [](const std::string& path, bool allow_outside_files) {
+        [](const std::filesystem::path& path, bool allow_outside_files) {
             const nb::gil_scoped_release unlocked;
             return read_mesh(path, {.allow_outside_files = allow_outside_files});
         },

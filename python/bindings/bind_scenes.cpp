@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -107,7 +108,7 @@ void bind_scenes(nb::module_& module) {
              "vertices"_a, "faces"_a, "culls_back_faces"_a, "mesh_of_instance"_a.noconvert(),
              "transforms"_a.noconvert(), "visibilities"_a.noconvert(), "preset"_a,
              "method"_a.none(), "cost"_a, "brute_force"_a)
-        .def(nb::init<const std::string&, bool>(), "path"_a, "trust"_a)
+        .def(nb::init<const std::filesystem::path&, bool>(), "path"_a, "trust"_a)
         .def("save", &PyScene::save, "path"_a)
         .def("refit", &PyScene::refit)
         .def("set_instances", &PyScene::set_instances, "mesh_of_instance"_a.noconvert(),

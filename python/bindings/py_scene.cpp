@@ -46,6 +46,8 @@ PyScene::PyScene(const List& vertices, const List& faces, const std::vector<bool
                  const Values<std::uint32_t>& visibilities, const std::string& preset,
                  const std::optional<std::string>& method, const std::string& cost,
                  bool brute_force) {
+    if (faces.size() != vertices.size() || culls.size() != vertices.size())
+        throw InvalidInput("meshes: expected vertices, faces and culling of each");
     std::vector<SceneMesh> meshes;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         meshes.push_back(mesh_of(vertices[i], faces[i], culls[i]));
@@ -62,12 +64,12 @@ PyScene::PyScene(const List& vertices, const List& faces, const std::vector<bool
     scene_ = std::make_unique<Scene>(std::move(meshes), std::move(instances), options);
 }
 
-PyScene::PyScene(const std::string& path, bool trust) {
+PyScene::PyScene(const std::filesystem::path& path, bool trust) {
     const nb::gil_scoped_release unlocked;
     scene_ = std::make_unique<Scene>(open_scene(path, {.trust = trust}));
 }
 
-void PyScene::save(const std::string& path) const {
+void PyScene::save(const std::filesystem::path& path) const {
     const nb::gil_scoped_release unlocked;
     const Gate::Query query(gate);
     save_scene(*scene_, path);

@@ -85,7 +85,7 @@ def build(mesh: Mesh, method: str = "binned_sah", *, cost: str = "surface_area")
 
     method: "median", "agglomerative", "binned_sah", "block_sah", "morton", "ploc", "sweep_sah",
         "spatial_split" or "reinsertion".
-    cost: what "agglomerative" merges by: "distance", "volume_growth" or "surface_area".
+    cost: what "agglomerative" merges by: "centroid_distance", "volume_increase" or "surface_area".
 
     Raises ValueError for another name.
 
@@ -95,9 +95,8 @@ def build(mesh: Mesh, method: str = "binned_sah", *, cost: str = "surface_area")
     """
     if not isinstance(mesh, Mesh):
         raise TypeError(f"mesh: found {arguments.describe(mesh)}, expected a boxwood.Mesh")
-    for value, name in ((method, "method"), (cost, "cost")):
-        if not isinstance(value, str):
-            raise TypeError(f"{name}: found {arguments.describe(value)}, expected a str")
+    arguments.text(method, "method")
+    arguments.text(cost, "cost")
     slow = _core.warning_before_build(len(mesh.faces), method)
     if slow is not None:
         warnings.warn(slow, stacklevel=2)
