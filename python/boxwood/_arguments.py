@@ -158,9 +158,13 @@ def path(value: str | os.PathLike[str], name: str = "path") -> str:
 
 
 def text(value: str, name: str) -> str:
-    """A string."""
+    """A string of characters, without halves of them."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: found {describe(value)}, expected a str")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise ValueError(f"{name}: found {value!a}, expected Unicode characters") from None
     return value
 
 
