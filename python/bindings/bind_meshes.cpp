@@ -13,6 +13,7 @@
 #include "boxwood/mesh/mesh_file.h"
 #include "boxwood/mesh/repair.h"
 #include "choice.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -120,7 +121,7 @@ MeshData from_arrays(const PackedRows<double>& vertices, const PackedRows<std::i
 Dict inspect_mesh(const MeshData& mesh) {
     MeshReport found;
     {
-        const nb::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = inspect(mesh);
     }
     Dict result;
@@ -152,7 +153,7 @@ Dict repair_mesh(MeshData& mesh, const std::vector<std::string>& names) {
     for (const std::string& name : names) steps.push_back(choice("steps", repair_steps(), name));
     RepairReport found;
     {
-        const nb::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = repair(mesh, steps);
     }
     Dict result;
@@ -204,7 +205,7 @@ void bind_meshes(nb::module_& module) {
         .def(
             "write",
             [](const MeshData& self, const std::filesystem::path& path) {
-                const nb::gil_scoped_release unlocked;
+                const Unlocked unlocked;
                 write_mesh(path, self, self.attributes);
             },
             "path"_a);
@@ -212,14 +213,14 @@ void bind_meshes(nb::module_& module) {
     module.def(
         "read_mesh",
         [](const std::filesystem::path& path, bool allow_outside_files) {
-            const nb::gil_scoped_release unlocked;
+            const Unlocked unlocked;
             return read_mesh(path, {.allow_outside_files = allow_outside_files});
         },
         "path"_a, "allow_outside_files"_a);
     module.def(
         "generate",
         [](const std::string& shape, std::size_t triangles) {
-            const nb::gil_scoped_release unlocked;
+            const Unlocked unlocked;
             return MeshData{generate(shape, triangles), {}, {}};
         },
         "shape"_a, "triangles"_a);

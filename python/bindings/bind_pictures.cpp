@@ -14,6 +14,7 @@
 #include "boxwood/world/read_world.h"
 #include "choice.h"
 #include "ray_arrays.h"
+#include "unlocked.h"
 #include "watch.h"
 
 namespace boxwood::python {
@@ -52,7 +53,7 @@ void camera_rays(const Camera& camera, int width, int height, const RowsOut<doub
                  directions);
     const auto from = rows_of<Vec3d>(origins), along = rows_of<Vec3d>(directions);
     const Film film = camera.film(width, height);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     parallel_for(static_cast<std::size_t>(height), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t y = begin; y < end; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -72,7 +73,7 @@ World read(const std::filesystem::path& path, const std::optional<std::string>& 
     WorldOptions options = {.read = {.allow_outside_files = allow_outside_files},
                             .data_folder = data_folder};
     if (up) options.up = up_axis(*up);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return read_world(path, options);
 }
 
@@ -104,7 +105,7 @@ World studio(const List& meshes, const std::vector<bool>& culls,
 
 void frame_world(World& world, const std::string& up, int width, int height) {
     const UpAxis axis = up_axis(up);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     world.picture.width = width;
     world.picture.height = height;
     frame(world, axis);

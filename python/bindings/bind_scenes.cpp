@@ -8,6 +8,7 @@
 #include "boxwood/core/simd.h"
 #include "py_scene.h"
 #include "ray_arrays.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -73,7 +74,7 @@ List statistics(const PyScene& scene) {
 void geometric_normal(const PyScene& scene, const Values<std::int32_t>& triangle,
                       const Values<std::int32_t>& instance, const RowsOut<double, 3>& normal) {
     check_places(triangle.shape(0), instance, normal);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Gate::Query query(scene.gate);
     const Scene& asked = scene.scene();
     for (std::size_t i = 0; i < triangle.shape(0); ++i) {
@@ -122,7 +123,7 @@ void bind_scenes(nb::module_& module) {
         .def(
             "is_sign_trustworthy",
             [](const PyScene& self, const std::string& method) {
-                const nb::gil_scoped_release unlocked;
+                const Unlocked unlocked;
                 const Gate::Query query(self.gate);
                 return self.sign(method, WindingOptions{}.accuracy).is_trustworthy();
             },

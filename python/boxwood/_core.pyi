@@ -197,7 +197,11 @@ class ThreadLimit:
 
     def end(self) -> None: ...
 
-def end_threads() -> bool:
+def before_fork() -> None:
     """
-    Lets the worker threads end, as before fork(); they come back when there is work.
+    Waits until the work of other threads is done and lets the workers end; they come back when there is work.
     """
+
+def after_fork_in_parent() -> None: ...
+
+def after_fork_in_child() -> None: ...

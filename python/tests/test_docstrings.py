@@ -30,7 +30,9 @@ def public():
                     yield f"{name}.{member}", value
 
 
-@pytest.mark.parametrize(("name", "thing"), list(public()), ids=lambda x: x if isinstance(x, str) else "")
+@pytest.mark.parametrize(
+    ("name", "thing"), list(public()), ids=lambda x: x if isinstance(x, str) else ""
+)
 def test_there_is_a_docstring(name, thing):
     assert inspect.getdoc(thing), name
     assert inspect.getdoc(thing) != inspect.getdoc(object), name

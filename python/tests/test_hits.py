@@ -185,3 +185,8 @@ def test_a_scene_of_nothing_answers():
         assert np.isinf(empty.signed_distance([[0, 0, 5]]).distance).all()
         assert empty.winding_number([[0, 0, 5]]).tolist() == [0]
         assert empty.box_overlap([[-1, -1, -1]], [[1, 1, 1]]).counts.tolist() == [0]
+
+
+def test_many_more_places_than_hits(ball):
+    firsts = bw.Scene(ball).first_k_hits([[0, 0, 5], [0, 3, 5]], [0, 0, -1], 2**18)
+    assert firsts.hit.sum(axis=1).tolist() == [2, 0]

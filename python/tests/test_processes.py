@@ -121,3 +121,34 @@ def test_a_pool_of_processes_answers(scene, method, tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("error", ResourceWarning)
         assert (answer(scene) == expected).all()
+
+
+@needs_fork
+def test_fork_from_a_progress_function(scene):
+    """It doesn't wait for the query that it is part of."""
+    expected, children = answer(scene), []
+
+    def report(part):
+        if not children:
+            children.append(in_child(lambda: (answer(scene) == expected).all()))
+
+    scene.any_hit(*rays(), progress=report)
+    assert children == [True]
+
+
+@needs_fork
+def test_fork_while_another_thread_builds(scene):
+    expected, done = answer(scene), threading.Event()
+
+    def build():
+        while not done.is_set():
+            bw.Scene(scene.meshes[0])
+
+    thread = threading.Thread(target=build)
+    thread.start()
+    try:
+        for _ in range(3):
+            assert in_child(lambda: (answer(scene) == expected).all())
+    finally:
+        done.set()
+        thread.join()
