@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kPiece = 256;
 
-/// Calls store(begin, rays) for pieces of the rays, on all cores.
+/// Calls store(begin, rays) for pieces of the rays, of kPiece at the most, on all cores.
 template <class Store>
 void for_each_rays(const PyScene& scene, const RayArrays& arrays, nb::handle progress,
-                   const Store& store) {
+                   const Store& store, std::size_t piece_size = kPiece) {
     run_watched(arrays.size(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
-        watch.for_each_piece(kPiece, [&](std::size_t begin, std::size_t end) {
+        watch.for_each_piece(piece_size, [&](std::size_t begin, std::size_t end) {
             std::array<Ray, kPiece> rays;
             const auto piece = std::span(rays).first(end - begin);
             arrays.gather(begin, piece);
@@ -116,7 +116,11 @@ void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
                   const ValuesOut<std::int32_t>& instance, const RowsOut<double, 2>& uv,
                   nb::handle progress) {
     check_places(arrays.size() * k, t, triangle, instance, uv);
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+    // So many hits of a piece are in memory besides the arrays, or those of one ray.
+    constexpr std::size_t kAtATime = std::size_t{1} << 14;
+    const std::size_t piece =
+        std::clamp(kAtATime / std::max<std::size_t>(k, 1), std::size_t{1}, kPiece);
+    const auto store = [&](std::size_t begin, std::span<Ray> rays) {
         std::vector<Hit> hits(rays.size() * k);
         scene.scene().first_k_hits(rays, k, hits, {.on_this_thread = true});
         for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -128,7 +132,8 @@ void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
             uv.data()[2 * at] = hit.u;
             uv.data()[2 * at + 1] = hit.v;
         }
-    });
+    };
+    for_each_rays(scene, arrays, progress, store, piece);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -12,6 +13,7 @@
 #include "boxwood/mesh/mesh_file.h"
 #include "boxwood/mesh/repair.h"
 #include "choice.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -119,7 +121,7 @@ MeshData from_arrays(const PackedRows<double>& vertices, const PackedRows<std::i
 Dict inspect_mesh(const MeshData& mesh) {
     MeshReport found;
     {
-        const nb::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = inspect(mesh);
     }
     Dict result;
@@ -151,7 +153,7 @@ Dict repair_mesh(MeshData& mesh, const std::vector<std::string>& names) {
     for (const std::string& name : names) steps.push_back(choice("steps", repair_steps(), name));
     RepairReport found;
     {
-        const nb::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         found = repair(mesh, steps);
     }
     Dict result;
@@ -196,27 +198,29 @@ void bind_meshes(nb::module_& module) {
         .def("set_attribute", &set_attribute, "name"_a, "of"_a, "table"_a.noconvert())
         .def("add_field", &add_field, "name"_a, "of"_a, "values"_a.noconvert())
         .def("set_labels", &set_labels, "kind"_a, "names"_a, "of_face"_a.noconvert())
+        .def("check_attributes",
+             [](const MeshData& self) { check_attributes(self, self.attributes); })
         .def("inspect", &inspect_mesh)
         .def("repair", &repair_mesh, "steps"_a)
         .def(
             "write",
-            [](const MeshData& self, const std::string& path) {
-                const nb::gil_scoped_release unlocked;
+            [](const MeshData& self, const std::filesystem::path& path) {
+                const Unlocked unlocked;
                 write_mesh(path, self, self.attributes);
             },
             "path"_a);
 
     module.def(
         "read_mesh",
-        [](const std::string& path, bool allow_outside_files) {
-            const nb::gil_scoped_release unlocked;
+        [](const std::filesystem::path& path, bool allow_outside_files) {
+            const Unlocked unlocked;
             return read_mesh(path, {.allow_outside_files = allow_outside_files});
         },
         "path"_a, "allow_outside_files"_a);
     module.def(
         "generate",
         [](const std::string& shape, std::size_t triangles) {
-            const nb::gil_scoped_release unlocked;
+            const Unlocked unlocked;
             return MeshData{generate(shape, triangles), {}, {}};
         },
         "shape"_a, "triangles"_a);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -13,6 +14,8 @@
 #include "boxwood/render/render.h"
 #include "boxwood/world/read_world.h"
 #include "choice.h"
+#include "ray_arrays.h"
+#include "unlocked.h"
 #include "watch.h"
 
 namespace boxwood::python {
@@ -47,9 +50,11 @@ Camera make_camera(const Vector& position, const Vector& target, const Vector& u
 /// The rays through the middles of a film's pixels, row by row from the top.
 void camera_rays(const Camera& camera, int width, int height, const RowsOut<double, 3>& origins,
                  const RowsOut<double, 3>& directions) {
+    check_places(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), origins,
+                 directions);
     const auto from = rows_of<Vec3d>(origins), along = rows_of<Vec3d>(directions);
     const Film film = camera.film(width, height);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     parallel_for(static_cast<std::size_t>(height), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t y = begin; y < end; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -64,12 +69,12 @@ void camera_rays(const Camera& camera, int width, int height, const RowsOut<doub
     });
 }
 
-World read(const std::string& path, const std::optional<std::string>& up,
-           const std::string& data_folder, bool allow_outside_files) {
+World read(const std::filesystem::path& path, const std::optional<std::string>& up,
+           const std::filesystem::path& data_folder, bool allow_outside_files) {
     WorldOptions options = {.read = {.allow_outside_files = allow_outside_files},
                             .data_folder = data_folder};
     if (up) options.up = up_axis(*up);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return read_world(path, options);
 }
 
@@ -101,7 +106,7 @@ World studio(const List& meshes, const std::vector<bool>& culls,
 
 void frame_world(World& world, const std::string& up, int width, int height) {
     const UpAxis axis = up_axis(up);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     world.picture.width = width;
     world.picture.height = height;
     frame(world, axis);
@@ -201,6 +206,7 @@ void bind_pictures(nb::module_& module) {
     module.def(
         "to_rgba8",
         [](const PackedRows<double>& colors, const RowsOut<std::uint8_t, 4>& pixels) {
+            check_places(colors.shape(0), pixels);
             for (std::size_t i = 0; i < colors.shape(0); ++i) {
                 const double* c = colors.data() + 3 * i;
                 const Rgba8 pixel = to_rgba8(Vec3d(c[0], c[1], c[2]));
@@ -221,7 +227,7 @@ void bind_pictures(nb::module_& module) {
         const std::string bytes = encode_png(image_of(pixels));
         return nb::bytes(bytes.data(), bytes.size());
     });
-    module.def("write_png", [](const std::string& path, const Pixels8& pixels) {
+    module.def("write_png", [](const std::filesystem::path& path, const Pixels8& pixels) {
         write_png(path, image_of(pixels));
     });
 }

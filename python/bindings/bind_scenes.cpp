@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -7,6 +8,7 @@
 #include "boxwood/core/simd.h"
 #include "py_scene.h"
 #include "ray_arrays.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -72,7 +74,7 @@ List statistics(const PyScene& scene) {
 void geometric_normal(const PyScene& scene, const Values<std::int32_t>& triangle,
                       const Values<std::int32_t>& instance, const RowsOut<double, 3>& normal) {
     check_places(triangle.shape(0), instance, normal);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Gate::Query query(scene.gate);
     const Scene& asked = scene.scene();
     for (std::size_t i = 0; i < triangle.shape(0); ++i) {
@@ -107,7 +109,7 @@ void bind_scenes(nb::module_& module) {
              "vertices"_a, "faces"_a, "culls_back_faces"_a, "mesh_of_instance"_a.noconvert(),
              "transforms"_a.noconvert(), "visibilities"_a.noconvert(), "preset"_a,
              "method"_a.none(), "cost"_a, "brute_force"_a)
-        .def(nb::init<const std::string&, bool>(), "path"_a, "trust"_a)
+        .def(nb::init<const std::filesystem::path&, bool>(), "path"_a, "trust"_a)
         .def("save", &PyScene::save, "path"_a)
         .def("refit", &PyScene::refit)
         .def("set_instances", &PyScene::set_instances, "mesh_of_instance"_a.noconvert(),
@@ -121,7 +123,7 @@ void bind_scenes(nb::module_& module) {
         .def(
             "is_sign_trustworthy",
             [](const PyScene& self, const std::string& method) {
-                const nb::gil_scoped_release unlocked;
+                const Unlocked unlocked;
                 const Gate::Query query(self.gate);
                 return self.sign(method, WindingOptions{}.accuracy).is_trustworthy();
             },

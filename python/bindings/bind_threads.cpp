@@ -6,6 +6,7 @@
 
 #include "bindings.h"
 #include "boxwood/core/parallel.h"
+#include "unlocked.h"
 
 namespace nb = nanobind;
 
@@ -32,14 +33,20 @@ void bind_threads(nb::module_& module) {
         .def(nb::init<std::size_t>(), "threads"_a)
         .def("end", &PyThreadLimit::end);
     module.def(
-        "end_threads",
+        "before_fork",
         [] {
-            // A process that forks has only the thread that does it, in the child; whoever waits
-            // there for the others waits forever.
+            const nb::gil_scoped_release unlocked;
+            ForkGate::before_fork();
             tbb::task_scheduler_handle handle{tbb::attach{}};
-            return tbb::finalize(handle, std::nothrow);
+            // Threads of Python that have asked and live on keep the workers alive, who are about
+            // to fall asleep then.
+            if (!tbb::finalize(handle, std::nothrow))
+                for (int i = 0; i < 5; ++i) ForkGate::pause();
         },
-        "Lets the worker threads end, as before fork(); they come back when there is work.");
+        "Waits until the work of other threads is done and lets the workers end; they come back "
+        "when there is work.");
+    module.def("after_fork_in_parent", &ForkGate::after_fork_in_parent);
+    module.def("after_fork_in_child", &ForkGate::after_fork_in_child);
 }
 
 }  // namespace boxwood::python

@@ -9,6 +9,7 @@
 #include "boxwood/build/build.h"
 #include "boxwood/tree/statistics.h"
 #include "choice.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -21,7 +22,7 @@ Tree build(const PackedRows<double>& vertices, const PackedRows<std::int32_t>& f
     const MeshView mesh = {rows_of<const Vec3d>(vertices), rows_of<const Vec3i>(faces)};
     const BuildOptions options = {.method = choice("method", build_methods(), method),
                                   .cost = choice("cost", merge_costs(), cost)};
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     check_indices(mesh);
     return build_tree(mesh, options);
 }

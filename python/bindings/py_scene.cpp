@@ -6,6 +6,7 @@
 #include "boxwood/build/build.h"
 #include "boxwood/scene/scene_file.h"
 #include "choice.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -46,6 +47,8 @@ PyScene::PyScene(const List& vertices, const List& faces, const std::vector<bool
                  const Values<std::uint32_t>& visibilities, const std::string& preset,
                  const std::optional<std::string>& method, const std::string& cost,
                  bool brute_force) {
+    if (faces.size() != vertices.size() || culls.size() != vertices.size())
+        throw InvalidInput("meshes: expected vertices, faces and culling of each");
     std::vector<SceneMesh> meshes;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         meshes.push_back(mesh_of(vertices[i], faces[i], culls[i]));
@@ -58,23 +61,23 @@ PyScene::PyScene(const List& vertices, const List& faces, const std::vector<bool
         options.build = BuildOptions{.method = choice("method", build_methods(), *method),
                                      .cost = choice("cost", merge_costs(), cost)};
     std::vector<Instance> instances = instances_of(mesh_of_instance, transforms, visibilities);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     scene_ = std::make_unique<Scene>(std::move(meshes), std::move(instances), options);
 }
 
-PyScene::PyScene(const std::string& path, bool trust) {
-    const nb::gil_scoped_release unlocked;
+PyScene::PyScene(const std::filesystem::path& path, bool trust) {
+    const Unlocked unlocked;
     scene_ = std::make_unique<Scene>(open_scene(path, {.trust = trust}));
 }
 
-void PyScene::save(const std::string& path) const {
-    const nb::gil_scoped_release unlocked;
+void PyScene::save(const std::filesystem::path& path) const {
+    const Unlocked unlocked;
     const Gate::Query query(gate);
     save_scene(*scene_, path);
 }
 
 std::vector<double> PyScene::refit() {
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Gate::Change change(gate);
     signs_.clear();
     std::vector<double> ratios;
@@ -86,7 +89,7 @@ void PyScene::set_instances(const Values<std::uint32_t>& mesh_of_instance,
                             const Transforms& transforms,
                             const Values<std::uint32_t>& visibilities) {
     std::vector<Instance> instances = instances_of(mesh_of_instance, transforms, visibilities);
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Gate::Change change(gate);
     signs_.clear();
     scene_->set_instances(std::move(instances));

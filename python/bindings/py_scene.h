@@ -4,6 +4,7 @@
 #include <nanobind/nanobind.h>
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -69,9 +70,9 @@ public:
             const Values<std::uint32_t>& visibilities, const std::string& preset,
             const std::optional<std::string>& method, const std::string& cost, bool brute_force);
     /// One from a file.
-    PyScene(const std::string& path, bool trust);
+    PyScene(const std::filesystem::path& path, bool trust);
 
-    void save(const std::string& path) const;
+    void save(const std::filesystem::path& path) const;
     std::vector<double> refit();
     void set_instances(const Values<std::uint32_t>& mesh_of_instance, const Transforms& transforms,
                        const Values<std::uint32_t>& visibilities);

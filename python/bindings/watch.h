@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "boxwood/core/batch.h"
+#include "unlocked.h"
 
 namespace boxwood::python {
 
@@ -91,7 +92,7 @@ private:
 template <class Work>
 void run_watched(std::size_t total, nanobind::handle progress, const Work& work) {
     Watch watch(total, progress);
-    const nanobind::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     try {
         work(watch);
         watch.finish();

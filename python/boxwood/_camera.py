@@ -116,7 +116,7 @@ class PinholeCamera(_Camera):
         """
         from ._render import studio
 
-        found = studio(what, up, *_size(width, height)).camera
+        found = studio(what, arguments.text(up, "up"), *_size(width, height)).camera
         position = np.array(found.position)
         return PinholeCamera(
             position,
@@ -212,17 +212,24 @@ class SphericalCamera:
         self._up = axis / np.linalg.norm(axis)
         self._left = side / np.linalg.norm(side)
         self._forward = np.cross(self._left, self._up)
-        angles = arguments.floats(
-            vertical if isinstance(vertical, np.ndarray) else list(vertical), "vertical"
-        )
-        left, right = arguments.floats(list(horizontal), "horizontal")
-        if isinstance(vertical, tuple) and len(angles) == 2:
-            self.width, self.height = _size(width, width // 2 if height is None else height)
-            self._elevations = _middles(float(angles[1]), float(angles[0]), self.height)
+        angles = _angles(vertical, "vertical")
+        sides = _angles(horizontal, "horizontal")
+        if len(sides) != 2:
+            raise ValueError(f"horizontal: found {len(sides)} angles, expected 2")
+        self.width = arguments.count(width, "width", 1, _MOST)
+        is_range = isinstance(vertical, tuple) and len(angles) == 2
+        if height is None:
+            height = max(self.width // 2, 1) if is_range else len(angles)
+        self.height = arguments.count(height, "height", 1, _MOST)
+        if is_range:
+            self._elevations = _middles(angles[1], angles[0], self.height)
+        elif self.height == len(angles):
+            self._elevations = np.radians(angles)
         else:
-            self.width, self.height = _size(width, len(angles))
-            self._elevations = np.radians(angles.astype(np.float64))
-        self._azimuths = -_middles(float(left), float(right), self.width)
+            raise ValueError(
+                f"height: found {self.height}, expected {len(angles)}, the number of angles"
+            )
+        self._azimuths = -_middles(sides[0], sides[1], self.width)
 
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Their one origin (3,), and directions (height, width, 3) of unit length, from the upper
@@ -231,6 +238,16 @@ class SphericalCamera:
         flat = flat + np.sin(self._azimuths)[:, None] * self._left
         across = np.cos(self._elevations)[:, None, None] * flat
         return self.position.copy(), across + np.sin(self._elevations)[:, None, None] * self._up
+
+
+def _angles(value: Iterable[float], name: str) -> NDArray[np.float64]:
+    """Finite numbers, at least one, as a flat array."""
+    is_once = isinstance(value, Iterable) and not hasattr(value, "__len__")
+    given: Any = list(value) if is_once else value
+    result = arguments.floats(given, name).astype(np.float64)
+    if result.ndim != 1 or result.size == 0 or not np.isfinite(result).all():
+        raise ValueError(f"{name}: found {arguments.describe(result)}, expected finite angles (n,)")
+    return result
 
 
 def _middles(first: float, last: float, count: int) -> NDArray[np.float64]:

@@ -55,6 +55,7 @@ class Image:
         return rgba if self.pixels.shape[2] == 4 else np.ascontiguousarray(rgba[..., :3])
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """The same as `numpy`, for what takes arrays."""
         return self.numpy().astype(dtype or np.uint8, copy=False)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -66,6 +67,7 @@ class Image:
         _core.write_png(name, self._rgba())
 
     def _repr_png_(self) -> bytes:
+        """The picture as the bytes of a PNG file, for notebooks."""
         data: bytes = _core.encode_png(self._rgba())
         return data
 
@@ -96,6 +98,7 @@ class Image:
         [255, 64, 0]
         """
         depth = arguments.floats(t, "t").astype(np.float64)
+        _check_shape(depth, "t", "(height, width)", depth.ndim == 2)
         grey = np.zeros(depth.shape)
         seen = np.isfinite(depth)
         if seen.any():
@@ -107,6 +110,7 @@ class Image:
     def of_normal(normal: ArrayLike) -> Image:
         """Normals (height, width, 3) as colors: 0.5 + 0.5 n; zero is black."""
         n = arguments.vectors(normal, "normal")
+        _check_shape(n, "normal", "(height, width, 3)", n.ndim == 3)
         return Image(np.where(n.any(axis=-1, keepdims=True), 0.5 + 0.5 * n, 0.0))
 
     @staticmethod
@@ -114,6 +118,7 @@ class Image:
         """Numbers (height, width), of triangles, say, as colors that tell neighbours apart; below 0
         is black."""
         given = arguments.integers(ids, "ids").astype(np.int64)
+        _check_shape(given, "ids", "(height, width)", given.ndim == 2)
         mixed = given.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15)
         mixed ^= mixed >> np.uint64(29)
         shifts = np.array([0, 8, 16], np.uint64)
@@ -122,3 +127,8 @@ class Image:
         colors = (colors // 4 * 3 + 64).astype(np.uint8)
         colors[given < 0] = 0
         return Image(colors)
+
+
+def _check_shape(array: NDArray[Any], name: str, expected: str, is_so: bool) -> None:
+    if not is_so:
+        raise ValueError(f"{name}: found {arguments.describe(array)}, expected shape {expected}")

@@ -76,9 +76,9 @@ class Mesh:
                 f"faces: found {[int(i) for i in corners[bad[0]]]} in face {bad[0]}, "
                 f"expected indices below {len(points)}, the number of vertices"
             )
-        # Queries rely on the indices being in range, so nobody else may write to them.
-        own = np.array(corners, order="C")
-        own.flags.writeable = False
+        # Queries rely on the indices being in range, so nobody may write to them: numpy never lets
+        # anybody write to bytes.
+        own = np.ndarray(corners.shape, np.int32, corners.tobytes())
         self._take(np.ascontiguousarray(points), own)
 
     def _take(self, vertices: NDArray[Any], faces: NDArray[np.int32]) -> None:
@@ -155,7 +155,7 @@ class Mesh:
         <boxwood.Mesh: 3 vertices, 2 faces>
         """
         data = self._data()
-        data.repair(list(steps))
+        data.repair(_texts(steps, "steps"))
         return _of_data(data)
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -180,18 +180,23 @@ class Mesh:
         data = _core.MeshData(np.ascontiguousarray(self._vertices, dtype=np.float64), self._faces)
         if geometry_only:
             return data
-        for name in ("normals", "texture_coordinates", "colors"):
+        for name, columns in (("normals", 3), ("texture_coordinates", 2), ("colors", 4)):
             attribute = getattr(self, name)
             if attribute is None:
                 continue
-            columns = {"normals": 3, "texture_coordinates": 2, "colors": 4}[name]
+            _check_kind(attribute, name, Attribute)
+            arguments.text(attribute.of, f"{name}.of")
             table = arguments.floats(attribute.values, name)
             if table.ndim != 2 or table.shape[1] != columns:
                 raise ValueError(
                     f"{name}: found {arguments.describe(table)}, expected shape (n, {columns})"
                 )
             data.set_attribute(name, attribute.of, np.ascontiguousarray(table, dtype=np.float32))
+        _check_kind(self.fields, "fields", dict)
         for name, attribute in self.fields.items():
+            arguments.text(name, "the name of a field")
+            _check_kind(attribute, f"field {name}", Attribute)
+            arguments.text(attribute.of, f"field {name}.of")
             values = arguments.array(attribute.values, f"field {name}")
             if values.ndim != 1 or values.dtype.kind not in "biuf":
                 raise ValueError(
@@ -201,8 +206,15 @@ class Mesh:
         for kind in ("groups", "materials"):
             labels = getattr(self, kind)
             if labels is not None:
-                data.set_labels(kind, labels.names, np.asarray(labels.of_face, dtype=np.uint32))
-        data.material_files = self.material_files
+                _check_kind(labels, kind, Labels)
+                of_face = arguments.uint32(labels.of_face, f"{kind}.of_face")
+                if of_face.ndim != 1:
+                    raise ValueError(
+                        f"{kind}.of_face: found {arguments.describe(of_face)}, expected shape (m,)"
+                    )
+                data.set_labels(kind, _texts(labels.names, f"{kind}.names"), of_face)
+        data.material_files = _texts(self.material_files, "material_files")
+        data.check_attributes()
         return data
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -215,6 +227,18 @@ def of_trusted_arrays(vertices: NDArray[Any], faces: NDArray[np.int32]) -> Mesh:
     mesh = Mesh.__new__(Mesh)
     mesh._take(vertices, faces)
     return mesh
+
+
+def _check_kind(value: object, name: str, kind: type) -> None:
+    if not isinstance(value, kind):
+        expected = "a dict" if kind is dict else f"a boxwood.{kind.__name__}"
+        raise TypeError(f"{name}: found {arguments.describe(value)}, expected {expected}")
+
+
+def _texts(values: Iterable[str], name: str) -> list[str]:
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise TypeError(f"{name}: found {arguments.describe(values)}, expected a list of str")
+    return [arguments.text(value, name) for value in values]
 
 
 def _of_data(data: _core.MeshData) -> Mesh:
@@ -248,7 +272,9 @@ def load(path: str | os.PathLike[str], *, allow_outside_files: bool = False) -> 
     Raises OSError when the file can't be read, ParseError when it isn't what its extension says,
     with the place and what was found and expected. What could be tolerated is a MeshWarning.
     """
-    data = _core.read_mesh(arguments.path(path), bool(allow_outside_files))
+    data = _core.read_mesh(
+        arguments.path(path), arguments.flag(allow_outside_files, "allow_outside_files")
+    )
     warn(data.warnings())
     return _of_data(data)
 
@@ -261,6 +287,5 @@ def generate(shape: str, triangles: int) -> Mesh:
     >>> bw.generate("icosphere", 1280)
     <boxwood.Mesh: 642 vertices, 1280 faces>
     """
-    if not isinstance(shape, str):
-        raise TypeError(f"shape: found {arguments.describe(shape)}, expected a str")
-    return _of_data(_core.generate(shape, arguments.count(triangles, "triangles", 1, 700_000_000)))
+    count = arguments.count(triangles, "triangles", 1, 700_000_000)
+    return _of_data(_core.generate(arguments.text(shape, "shape"), count))

@@ -71,10 +71,7 @@ def rays(
         whole = np.int32(default) if value is None else arguments.int32(value, name, -1)
         return arguments.per_item(whole, name, items, np.int32)
 
-    if visibility is None:
-        mask: ArrayLike = np.uint32(_ALL)
-    else:
-        mask = arguments.integers(visibility, "visibility").astype(np.uint32)
+    mask = np.uint32(_ALL) if visibility is None else arguments.uint32(visibility, "visibility")
     core = _core.Rays(
         *common,
         index(skip_instance, "skip_instance", 0),

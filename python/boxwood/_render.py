@@ -14,7 +14,7 @@ from ._camera import OrthographicCamera, PinholeCamera
 from ._image import Image
 from ._mesh import Mesh, warn
 from ._progress import Progress, reporting
-from ._scene import Scene, _instance_arrays
+from ._scene import Instance, Scene, _instance_arrays
 
 Camera = PinholeCamera | OrthographicCamera
 
@@ -56,8 +56,8 @@ def render(
             "expected a PinholeCamera or OrthographicCamera"
         )
     for value, name in ((integrator, "integrator"), (up, "up")):
-        if value is not None and not isinstance(value, str):
-            raise TypeError(f"{name}: found {arguments.describe(value)}, expected a str")
+        if value is not None:
+            arguments.text(value, name)
     is_file = not isinstance(scene, (Mesh, Scene))
     if isinstance(scene, (Mesh, Scene)):
         world = studio(scene, up or "y")
@@ -91,12 +91,12 @@ def studio(what: Mesh | Scene, up: str, width: int = 640, height: int = 480) -> 
     """A world of meshes of clay, framed and lit."""
     if isinstance(what, Mesh):
         what_culls = [False]
-        meshes, instances = [what], Scene(what).instances
+        meshes, instances = [what], [Instance(what)]
     elif isinstance(what, Scene):
         meshes, instances = what.meshes, what.instances
         what_culls = what._culls
     else:
-        raise TypeError(f"found {arguments.describe(what)}, expected a boxwood.Mesh or Scene")
+        raise TypeError(f"what: found {arguments.describe(what)}, expected a boxwood.Mesh or Scene")
     seen = [instance for instance in instances if instance.visibility]
     places, transforms, _ = _instance_arrays(meshes, seen)
     world = _core.World.studio([mesh._data() for mesh in meshes], what_culls, places, transforms)

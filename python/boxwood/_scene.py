@@ -60,9 +60,25 @@ class Instance:
                     f"transform: found the last row {given[3].tolist()}, expected 0, 0, 0, 1"
                 )
             matrix[:3] = given[:3]
-        self.mesh = mesh
-        self.transform: NDArray[np.float64] = matrix
-        self.visibility = arguments.count(visibility, "visibility", 0, _ALL)
+        self._mesh = mesh
+        self._transform = matrix
+        self._visibility = arguments.count(visibility, "visibility", 0, _ALL)
+
+    @property
+    def mesh(self) -> Mesh:
+        """What stands there."""
+        return self._mesh
+
+    @property
+    def transform(self) -> NDArray[np.float64]:
+        """Array (4, 4). Whoever writes to it moves the instance at the next
+        `Scene.set_instances`."""
+        return self._transform
+
+    @property
+    def visibility(self) -> int:
+        """The bits that rays see it by."""
+        return self._visibility
 
     def __repr__(self) -> str:
         return f"<boxwood.Instance of {self.mesh!r}>"
@@ -108,8 +124,8 @@ class Scene:
                 [mesh.faces for mesh in distinct],
                 culls,
                 *_instance_arrays(distinct, instances),
-                _text(preset, "preset"),
-                None if method is None else _text(method, "method"),
+                arguments.text(preset, "preset"),
+                None if method is None else arguments.text(method, "method"),
                 "surface_area",
                 False,
             ),
@@ -405,7 +421,7 @@ class Scene:
         with reporting(progress, "signed distances") as report:
             self._core.signed_distance(
                 places,
-                _text(method, "method"),
+                arguments.text(method, "method"),
                 _accuracy(accuracy),
                 radius,
                 distance,
@@ -448,7 +464,7 @@ class Scene:
     def is_sign_trustworthy(self, method: str = "pseudonormal") -> bool:
         """Whether the scene is what the method of `signed_distance` rests on: closed and, for
         pseudonormals, with all triangles facing the same way."""
-        return bool(self._core.is_sign_trustworthy(_text(method, "method")))
+        return bool(self._core.is_sign_trustworthy(arguments.text(method, "method")))
 
     # ------------------------------------------------------------ overlaps
 
@@ -556,14 +572,14 @@ class Scene:
         self._path = None
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the scene with its trees to a file that `boxwood.open` maps into memory at
-        once."""
+        """Writes the scene with its trees to a file that `boxwood.open` maps into memory at once.
+        Vertices come back in double."""
         self._core.save(arguments.path(path))
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._path is not None:
             return open_scene, (self._path,)
-        return _rebuilt, (self._instances, {**self._options, "cull_back_faces": self._culls})
+        return _rebuilt, (self._meshes, self._instances, self._culls, self._options)
 
 
 def open_scene(path: str | os.PathLike[str], *, trust: bool = False) -> Scene:
@@ -582,7 +598,7 @@ def open_scene(path: str | os.PathLike[str], *, trust: bool = False) -> Scene:
     4.0
     """
     name = arguments.path(path)
-    core = _core.Scene(name, bool(trust))
+    core = _core.Scene(name, arguments.flag(trust, "trust"))
     meshes = [of_trusted_arrays(vertices, faces) for vertices, faces, _ in core.meshes()]
     instances = [
         Instance(meshes[mesh], np.reshape(transform, (4, 4)), visibility)
@@ -596,8 +612,13 @@ def open_scene(path: str | os.PathLike[str], *, trust: bool = False) -> Scene:
     return scene
 
 
-def _rebuilt(instances: list[Instance], options: dict[str, Any]) -> Scene:
-    return Scene(instances, **options)
+def _rebuilt(
+    meshes: list[Mesh], instances: list[Instance], culls: list[bool], options: dict[str, Any]
+) -> Scene:
+    # A scene knows its meshes in their order, those without an instance as well.
+    scene = Scene(meshes, cull_back_faces=culls, **options)
+    scene.set_instances(instances)
+    return scene
 
 
 def _sorted_out(
@@ -642,7 +663,12 @@ def _instance_arrays(meshes: list[Mesh], instances: list[Instance]) -> tuple[Any
 def _culls(value: bool | Sequence[bool], meshes: int) -> list[bool]:
     if isinstance(value, (bool, np.bool_)):
         return [bool(value)] * meshes
-    result = [bool(item) for item in value]
+    if isinstance(value, str) or not isinstance(value, (Sequence, np.ndarray)):
+        raise TypeError(
+            f"cull_back_faces: found {arguments.describe(value)}, expected True, False or a "
+            "sequence of them"
+        )
+    result = [arguments.flag(item, "cull_back_faces") for item in value]
     if len(result) != meshes:
         raise ValueError(
             f"cull_back_faces: found {len(result)} values, expected one for each of {meshes} meshes"
@@ -672,9 +698,3 @@ def _accuracy(value: float) -> float:
     if not 1 <= accuracy <= 1e6:
         raise ValueError(f"accuracy: found {accuracy}, expected a number from 1 to 1e6")
     return accuracy
-
-
-def _text(value: str, name: str) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"{name}: found {arguments.describe(value)}, expected a str")
-    return value

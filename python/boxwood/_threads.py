@@ -26,6 +26,11 @@ def thread_limit(threads: int) -> Iterator[None]:
         limit.end()
 
 
-# Threads don't live on in a forked child, so they end before it; they come back when there is work.
+# A forked child has only the thread that forked. So the compiled part's own threads end before, and
+# come back when there is work; and what other threads of Python are at is waited for.
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=_core.end_threads)
+    os.register_at_fork(
+        before=_core.before_fork,
+        after_in_parent=_core.after_fork_in_parent,
+        after_in_child=_core.after_fork_in_child,
+    )

@@ -95,9 +95,8 @@ def build(mesh: Mesh, method: str = "binned_sah", *, cost: str = "surface_area")
     """
     if not isinstance(mesh, Mesh):
         raise TypeError(f"mesh: found {arguments.describe(mesh)}, expected a boxwood.Mesh")
-    for value, name in ((method, "method"), (cost, "cost")):
-        if not isinstance(value, str):
-            raise TypeError(f"{name}: found {arguments.describe(value)}, expected a str")
+    arguments.text(method, "method")
+    arguments.text(cost, "cost")
     slow = _core.warning_before_build(len(mesh.faces), method)
     if slow is not None:
         warnings.warn(slow, stacklevel=2)
