@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays in float.
+#include <tbb/enumerable_thread_specific.h>
+
 #include <cmath>
 #include <memory>
-#include <vector>
 
 #include "boxwood/query/ray_order.h"
 #include "py_scene.h"
@@ -15,21 +16,20 @@ using namespace nanobind::literals;
 
 namespace {
 
-/// Calls store(places, rays) for pieces of the rays, on all cores: tiles of a camera's, as the
-/// batch in C++ takes them.
-template <class Store>
+/// Calls ask(piece) for pieces of the rays, on all cores: tiles of a camera's, as the batch in C++
+/// takes them.
+template <class Ask>
 void for_each_rays(const PyScene& scene, const RayArraysf& arrays, nb::handle progress,
-                   const Store& store) {
+                   const Ask& ask) {
     const auto ray_at = [&](std::size_t i) { return arrays[i]; };
     const RayOrder order(arrays.size(), row_length(arrays.size(), ray_at));
+    tbb::enumerable_thread_specific<RayPiece> pieces;
     run_watched(order.pieces(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
-        watch.for_each_piece(1, [&](std::size_t piece, std::size_t) {
-            std::vector<RayPlace> places(RayOrder::kPiece);
-            places.resize(order.places(piece, places.data()));
-            std::vector<Rayf> rays(places.size());
-            for (const RayPlace& place : places) rays[place.in_piece] = arrays[place.in_batch];
-            store(places, rays);
+        watch.for_each_piece(1, [&](std::size_t i, std::size_t) {
+            RayPiece& piece = pieces.local();
+            piece.take(order, i, ray_at);
+            ask(piece);
         });
     });
 }
@@ -39,12 +39,10 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
                  const RowsOut<float, 2>& uv, const RowsOut<float, 3>& normal,
                  nb::handle progress) {
     check_places(arrays.size(), t, triangle, instance, uv, normal);
-    for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
-        std::vector<Hitf> hits(rays.size());
-        scene.scene().closest_hits(rays, hits, {.on_this_thread = true});
-        for (const RayPlace& place : places) {
-            const Hitf& hit = hits[place.in_piece];
-            const std::size_t at = place.in_batch;
+    for_each_rays(scene, arrays, progress, [&](RayPiece& piece) {
+        scene.scene().closest_hits(piece.rays, piece.hits, {.on_this_thread = true});
+        piece.for_each([&](std::size_t at, std::size_t i) {
+            const Hitf& hit = piece.hits[i];
             t.data()[at] = hit.t;
             triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
             instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
@@ -52,7 +50,7 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
             uv.data()[2 * at + 1] = hit.v;
             float* const n = normal.data() + 3 * at;
             n[0] = n[1] = n[2] = 0;
-            if (!hit.is_hit()) continue;
+            if (!hit.is_hit()) return;
             // In double, where no square of a float is too large or too small.
             const double x = hit.normal[0], y = hit.normal[1], z = hit.normal[2];
             const double squared = x * x + y * y + z * z;
@@ -60,17 +58,18 @@ void closest_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut
             n[0] = static_cast<float>(factor * x);
             n[1] = static_cast<float>(factor * y);
             n[2] = static_cast<float>(factor * z);
-        }
+        });
     });
 }
 
 void any_hit(const PyScene& scene, const RayArraysf& arrays, const ValuesOut<bool>& results,
              nb::handle progress) {
     check_places(arrays.size(), results);
-    for_each_rays(scene, arrays, progress, [&](const auto& places, std::span<const Rayf> rays) {
-        const auto found = std::make_unique<bool[]>(rays.size());
-        scene.scene().any_hits(rays, std::span(found.get(), rays.size()), {.on_this_thread = true});
-        for (const RayPlace& place : places) results.data()[place.in_batch] = found[place.in_piece];
+    for_each_rays(scene, arrays, progress, [&](RayPiece& piece) {
+        const auto found = std::make_unique<bool[]>(piece.rays.size());
+        scene.scene().any_hits(piece.rays, std::span(found.get(), piece.rays.size()),
+                               {.on_this_thread = true});
+        piece.for_each([&](std::size_t at, std::size_t i) { results.data()[at] = found[i]; });
     });
 }
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from boxwood._rays import rays
 
 import boxwood as bw
+from boxwood._rays import rays
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])

@@ -82,15 +82,15 @@ TEST(RayOrder, visits_each_ray_once) {
         for (const std::size_t count : {1, 4095, 4096, 4097, 20000}) {
             const RayOrder order(count, row);
             std::vector<int> visits(count, 0);
-            std::vector<RayPlace> places(RayOrder::kPiece);
-            for (std::size_t piece = 0; piece < order.pieces(); ++piece) {
-                const std::size_t size = order.places(piece, places.data());
-                std::vector<int> taken(size, 0);
-                for (std::size_t i = 0; i < size; ++i) {
-                    ++visits.at(places[i].in_batch);
-                    ++taken.at(places[i].in_piece);
-                }
-                ASSERT_EQ(std::count(taken.begin(), taken.end(), 1), size);
+            RayPiece piece;
+            for (std::size_t k = 0; k < order.pieces(); ++k) {
+                piece.take(order, k, [](std::size_t) { return Rayf{}; });
+                std::vector<int> taken(piece.rays.size(), 0);
+                piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
+                    ++visits.at(in_batch);
+                    ++taken.at(in_piece);
+                });
+                ASSERT_EQ(std::count(taken.begin(), taken.end(), 1), taken.size());
             }
             EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), count)
                 << row << " in a row, " << count << " rays";

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "boxwood/core/parallel.h"
 #include "boxwood/query/rayf.h"
 
 namespace boxwood {
@@ -61,10 +63,19 @@ struct RayPlace {
     std::uint32_t in_piece;
 };
 
+/// Rays of one task, where they are taken as they are: whole groups of rays, so that a camera's
+/// tiles stay together; enough for a wavefront to run long, few enough to share out evenly.
+inline std::size_t plain_piece(std::size_t count) {
+    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
+    constexpr std::size_t kTurns = 8;  ///< of each thread
+    const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
+    return std::clamp(even, kLeast, kMost);
+}
+
 /// The order, piece by piece.
 class RayOrder {
 public:
-    static constexpr std::size_t kPiece = 4096;
+    static constexpr std::size_t kPiece = 4096;  ///< rays of a piece of tiles
 
     /// Tile by tile of rows of that length; as they are, where it is 0.
     RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
@@ -73,21 +84,24 @@ public:
             pieces_per_row_ = (row_length + kWidth - 1) / kWidth;
             pieces_ = pieces_per_row_ * ((rows + kTile - 1) / kTile);
         } else {
-            pieces_ = (count + kPiece - 1) / kPiece;
+            plain_piece_ = plain_piece(count);
+            pieces_ = (count + plain_piece_ - 1) / plain_piece_;
         }
     }
 
     std::size_t pieces() const { return pieces_; }
+    bool is_tiled() const { return row_length_ > 0; }
+    /// The first ray of a piece, and how many it has. Precondition: not is_tiled().
+    std::size_t first(std::size_t piece) const { return piece * plain_piece_; }
+    std::size_t size(std::size_t piece) const {
+        return std::min(plain_piece_, count_ - first(piece));
+    }
 
     /// Writes the places of a piece's rays to kPiece places, and returns how many there are. They
     /// come in the order in which they stand in the batch, so that memory is read as it lies.
+    /// Precondition: is_tiled().
     std::size_t places(std::size_t piece, RayPlace* places) const {
         std::size_t size = 0;
-        if (row_length_ == 0) {
-            for (std::size_t i = piece * kPiece; i < count_ && size < kPiece; ++i, ++size)
-                places[size] = {i, static_cast<std::uint32_t>(size)};
-            return size;
-        }
         const std::size_t top = piece / pieces_per_row_ * kTile;
         const std::size_t left = piece % pieces_per_row_ * kWidth;
         const std::size_t width = std::min(kWidth, row_length_ - left);
@@ -119,7 +133,45 @@ private:
         return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
     }
 
-    std::size_t count_, row_length_, pieces_per_row_ = 1, pieces_;
+    std::size_t count_, row_length_, pieces_per_row_ = 1, plain_piece_ = kPiece, pieces_;
+};
+
+/// The rays and hits of a piece. One serves many pieces, so that memory is asked for once.
+struct RayPiece {
+    std::vector<Rayf> rays;
+    std::vector<Hitf> hits;  ///< as many as rays
+
+    template <class RayAt>
+    void take(const RayOrder& order, std::size_t piece, const RayAt& ray_at) {
+        std::size_t size = 0;
+        if (order.is_tiled()) {
+            places_.resize(RayOrder::kPiece);
+            size = order.places(piece, places_.data());
+            places_.resize(size);
+        } else {
+            places_.clear();
+            first_ = order.first(piece);
+            size = order.size(piece);
+        }
+        rays.resize(size);
+        hits.resize(size);
+        for_each(
+            [&](std::size_t in_batch, std::size_t in_piece) { rays[in_piece] = ray_at(in_batch); });
+    }
+
+    /// Calls visit(place in the batch, place in the piece) for each ray.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        if (places_.empty()) {
+            for (std::size_t i = 0; i < rays.size(); ++i) visit(first_ + i, i);
+        } else {
+            for (const RayPlace& place : places_) visit(place.in_batch, place.in_piece);
+        }
+    }
+
+private:
+    std::size_t first_ = 0;
+    std::vector<RayPlace> places_;
 };
 
 }  // namespace boxwood

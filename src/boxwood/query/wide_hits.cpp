@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/query/wide_hits.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <vector>
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/hit_places.h"
@@ -12,15 +13,6 @@
 namespace boxwood {
 
 namespace {
-
-/// Rays of one task: whole groups of rays, so that a camera's tiles stay together; enough for a
-/// wavefront to run long, few enough to share out evenly.
-std::size_t piece_of(std::size_t count) {
-    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
-    constexpr std::size_t kTurns = 8;  ///< of each thread
-    const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
-    return std::clamp(even, kLeast, kMost);
-}
 
 Rayf scaled(Rayf ray, float scale) {
     for (float& coordinate : ray.origin) coordinate *= scale;
@@ -51,14 +43,14 @@ void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
 void trace_tiles(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
                  std::size_t row, const BatchOptions& options) {
     const RayOrder order(rays.size(), row);
-    for_each_piece(order.pieces(), 1, options, [&](std::size_t piece, std::size_t) {
-        std::vector<RayPlace> places(RayOrder::kPiece);
-        places.resize(order.places(piece, places.data()));
-        std::vector<Rayf> near_rays(places.size());
-        std::vector<Hitf> near_hits(places.size());
-        for (const RayPlace& place : places) near_rays[place.in_piece] = rays[place.in_batch];
-        trace(tree, near_rays, near_hits.data());
-        for (const RayPlace& place : places) hits[place.in_batch] = near_hits[place.in_piece];
+    tbb::enumerable_thread_specific<RayPiece> pieces;
+    for_each_piece(order.pieces(), 1, options, [&](std::size_t i, std::size_t) {
+        RayPiece& piece = pieces.local();
+        piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
+        trace(tree, piece.rays, piece.hits.data());
+        piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
+            hits[in_batch] = piece.hits[in_piece];
+        });
     });
 }
 
@@ -110,7 +102,7 @@ void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hi
     check_hit_places(rays.size(), hits.size());
     const std::size_t row = row_length(rays.size(), [&](std::size_t i) { return rays[i]; });
     if (row > 0) return trace_tiles(tree, rays, hits, row, options);
-    for_each_piece(rays.size(), piece_of(rays.size()), options,
+    for_each_piece(rays.size(), plain_piece(rays.size()), options,
                    [&](std::size_t begin, std::size_t end) {
                        trace(tree, rays.subspan(begin, end - begin), hits.data() + begin);
                    });
@@ -127,7 +119,7 @@ void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> 
             for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
         }
     };
-    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
+    for_each_piece(rays.size(), plain_piece(rays.size()), options, trace);
 }
 
 }  // namespace boxwood
