@@ -39,9 +39,9 @@ TEST(Png, unwritable_place_is_an_io_error_and_leaves_nothing) {
     EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
 }
 
-TEST(Png, image_without_pixels_is_an_io_error_and_leaves_nothing) {
+TEST(Png, image_without_pixels_is_refused_and_leaves_nothing) {
     const TempDir dir;
-    EXPECT_THROW(write_png(dir / "image.png", Rgba8Image()), IoError);
+    EXPECT_THROW(write_png(dir / "image.png", Rgba8Image()), InvalidInput);
     EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
 }
 
