@@ -26,7 +26,8 @@ struct MeshFormat {
 std::span<const MeshFormat> mesh_formats();
 
 /// The format that a file's extension names, in upper or lower case, with or without ".gz" behind
-/// it; in a library built with assimp also one of those that only assimp reads. Throws InvalidInput when there is none such.
+/// it; in a library built with assimp also one of those that only assimp reads. Throws InvalidInput
+/// when there is none such.
 const MeshFormat& mesh_format_of(const std::filesystem::path& path);
 
 /// Reads a mesh file in the format that its extension names; files packed by gzip are unpacked.
