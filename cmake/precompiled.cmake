@@ -10,7 +10,8 @@ function(boxwood_precompile target)
         # GCC 12 then warns of overflows in std::string where there are none.
         target_compile_options(${target} PRIVATE
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)
         # So that ccache can tell what is in them.
         target_compile_options(${target} PRIVATE
             $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -81,6 +82,26 @@ private:
     Kept<Values<std::uint32_t>> visibility_;
 };
 
+/// Rows of three floats that are kept: each lies together, the next one so many floats on.
+class KeptRowsf {
+public:
+    explicit KeptRowsf(const Rows<float>& array)
+        : array_(array), first_(array.data()), step_(array.stride(0)) {
+        if (array.stride(1) != 1)
+            throw InvalidInput("rays: expected rows that lie together in memory");
+    }
+
+    std::size_t size() const { return array_.shape(0); }
+    void copy(std::size_t i, float* to) const {
+        std::memcpy(to, first_ + static_cast<std::int64_t>(i) * step_, 3 * sizeof(float));
+    }
+
+private:
+    Rows<float> array_;
+    const float* first_;
+    std::int64_t step_;
+};
+
 /// Rays in float, as arrays.
 class RayArraysf {
 public:
@@ -94,17 +115,15 @@ public:
 
     Rayf operator[](std::size_t i) const {
         Rayf ray;
-        for (int k = 0; k < 3; ++k) {
-            ray.origin[k] = origins_(i, k);
-            ray.direction[k] = directions_(i, k);
-        }
+        origins_.copy(i, ray.origin);
+        directions_.copy(i, ray.direction);
         ray.t_min = t_min_(i);
         ray.t_max = t_max_(i);
         return ray;
     }
 
 private:
-    Kept<Rows<float>> origins_, directions_;
+    KeptRowsf origins_, directions_;
     Kept<Values<float>> t_min_, t_max_;
 };
 

@@ -56,7 +56,8 @@ def rays(
     dtype = given if plain and not in_double else np.float64
 
     def rows(values: NDArray[Any]) -> NDArray[Any]:
-        return np.broadcast_to(values.astype(dtype, copy=False), shape).reshape(-1, 3)
+        found = np.broadcast_to(values.astype(dtype, copy=False), shape).reshape(-1, 3)
+        return found if found.strides[-1] == found.itemsize else np.ascontiguousarray(found)
 
     common = (
         rows(starts),

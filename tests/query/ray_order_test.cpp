@@ -75,6 +75,11 @@ TEST(RowLength, is_none_where_rays_are_in_no_rows) {
     for (Rayf& ray : rays)
         for (float& x : ray.direction) x = static_cast<float>(2 * uniform(6, drawn++, 0) - 1);
     EXPECT_EQ(row_length_of(rays), 0u) << "random directions";
+
+    for (Rayf& ray : rays) ray.direction[2] = -30;
+    std::size_t looks = 0;
+    EXPECT_EQ(row_length(rays.size(), [&](std::size_t i) { return ++looks, rays[i]; }), 0u);
+    EXPECT_LT(looks, 50u) << "a narrow cone of them, which takes no time to see";
 }
 
 TEST(RayOrder, visits_each_ray_once) {

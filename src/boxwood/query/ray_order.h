@@ -18,8 +18,8 @@
 namespace boxwood {
 
 /// The length of the rows, or 0 where the rays are too few, don't start at one point, or don't look
-/// like rows. ray_at(i) gives the i-th of `count` rays as a Rayf. It is called about as often as a
-/// row is long.
+/// like rows. ray_at(i) gives the i-th of `count` rays as a Rayf. It is called about twice as
+/// often as a row is long, and a few times where there are none.
 template <class RayAt>
 std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     constexpr std::size_t kFewest = 8192, kShortest = 32, kLongest = std::size_t{1} << 16;
@@ -32,14 +32,16 @@ std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     };
     const auto apart = [&](std::size_t i, std::size_t j) {
         const Rayf a = ray_at(i), b = ray_at(j);
-        return std::hypot(a.direction[0] - b.direction[0], a.direction[1] - b.direction[1],
-                          a.direction[2] - b.direction[2]);
+        const float x = a.direction[0] - b.direction[0], y = a.direction[1] - b.direction[1],
+                    z = a.direction[2] - b.direction[2];
+        return std::sqrt(x * x + y * y + z * z);
     };
     if (!starts_there(ray_at(count / 2)) || !starts_there(ray_at(count - 1))) return 0;
 
     float step = 0;
     for (std::size_t i = 1; i < 8; ++i) step = std::fmax(step, apart(i - 1, i));
-    if (!(step > 0)) return 0;
+    // A row goes somewhere.
+    if (!(step > 0) || !(apart(0, kShortest - 1) > kShortest / 4 * step)) return 0;
     std::size_t length = 8;
     while (length < count && length <= kLongest && apart(length - 1, length) <= kJump * step)
         ++length;
