@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <string>
 
 #include "boxwood/image/png.h"
@@ -39,6 +40,8 @@ constexpr Model kModels[] = {
     {false, "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb"},
     {false, "glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"},
 };
+
+void PrintTo(const Model& model, std::ostream* out) { *out << model.path; }
 
 class GltfGolden : public testing::TestWithParam<Model> {};
 
