@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -92,8 +91,8 @@ public:
     }
 
     std::size_t size() const { return array_.shape(0); }
-    void copy(std::size_t i, float* to) const {
-        std::memcpy(to, first_ + static_cast<std::int64_t>(i) * step_, 3 * sizeof(float));
+    const float* operator[](std::size_t i) const {
+        return first_ + static_cast<std::int64_t>(i) * step_;
     }
 
 private:
@@ -114,12 +113,11 @@ public:
     std::size_t size() const { return origins_.size(); }
 
     Rayf operator[](std::size_t i) const {
-        Rayf ray;
-        origins_.copy(i, ray.origin);
-        directions_.copy(i, ray.direction);
-        ray.t_min = t_min_(i);
-        ray.t_max = t_max_(i);
-        return ray;
+        const float *o = origins_[i], *d = directions_[i];
+        return {.origin = {o[0], o[1], o[2]},
+                .t_min = t_min_(i),
+                .direction = {d[0], d[1], d[2]},
+                .t_max = t_max_(i)};
     }
 
 private:

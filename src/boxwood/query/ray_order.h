@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxwood/core/parallel.h"
 #include "boxwood/query/rayf.h"
 
 namespace boxwood {
@@ -65,19 +64,10 @@ struct RayPlace {
     std::uint32_t in_piece;
 };
 
-/// Rays of one task, where they are taken as they are: whole groups of rays, so that a camera's
-/// tiles stay together; enough for a wavefront to run long, few enough to share out evenly.
-inline std::size_t plain_piece(std::size_t count) {
-    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
-    constexpr std::size_t kTurns = 8;  ///< of each thread
-    const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
-    return std::clamp(even, kLeast, kMost);
-}
-
 /// The order, piece by piece.
 class RayOrder {
 public:
-    static constexpr std::size_t kPiece = 4096;  ///< rays of a piece of tiles
+    static constexpr std::size_t kPiece = 4096;  ///< rays of a piece
 
     /// Tile by tile of rows of that length; as they are, where it is 0.
     RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
@@ -86,18 +76,15 @@ public:
             pieces_per_row_ = (row_length + kWidth - 1) / kWidth;
             pieces_ = pieces_per_row_ * ((rows + kTile - 1) / kTile);
         } else {
-            plain_piece_ = plain_piece(count);
-            pieces_ = (count + plain_piece_ - 1) / plain_piece_;
+            pieces_ = (count + kPiece - 1) / kPiece;
         }
     }
 
     std::size_t pieces() const { return pieces_; }
     bool is_tiled() const { return row_length_ > 0; }
     /// The first ray of a piece, and how many it has. Precondition: not is_tiled().
-    std::size_t first(std::size_t piece) const { return piece * plain_piece_; }
-    std::size_t size(std::size_t piece) const {
-        return std::min(plain_piece_, count_ - first(piece));
-    }
+    std::size_t first(std::size_t piece) const { return piece * kPiece; }
+    std::size_t size(std::size_t piece) const { return std::min(kPiece, count_ - first(piece)); }
 
     /// Writes the places of a piece's rays to kPiece places, and returns how many there are. They
     /// come in the order in which they stand in the batch, so that memory is read as it lies.
@@ -135,7 +122,7 @@ private:
         return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
     }
 
-    std::size_t count_, row_length_, pieces_per_row_ = 1, plain_piece_ = kPiece, pieces_;
+    std::size_t count_, row_length_, pieces_per_row_ = 1, pieces_;
 };
 
 /// The rays and hits of a piece. One serves many pieces, so that memory is asked for once.

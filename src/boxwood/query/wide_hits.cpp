@@ -14,6 +14,15 @@ namespace boxwood {
 
 namespace {
 
+/// Rays of one task, where they are taken as they are: whole groups of rays, so that a camera's
+/// tiles stay together; enough for a wavefront to run long, few enough to share out evenly.
+std::size_t piece_of(std::size_t count) {
+    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
+    constexpr std::size_t kTurns = 8;  ///< of each thread
+    const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
+    return std::clamp(even, kLeast, kMost);
+}
+
 Rayf scaled(Rayf ray, float scale) {
     for (float& coordinate : ray.origin) coordinate *= scale;
     ray.t_min *= scale;
@@ -102,7 +111,7 @@ void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hi
     check_hit_places(rays.size(), hits.size());
     const std::size_t row = row_length(rays.size(), [&](std::size_t i) { return rays[i]; });
     if (row > 0) return trace_tiles(tree, rays, hits, row, options);
-    for_each_piece(rays.size(), plain_piece(rays.size()), options,
+    for_each_piece(rays.size(), piece_of(rays.size()), options,
                    [&](std::size_t begin, std::size_t end) {
                        trace(tree, rays.subspan(begin, end - begin), hits.data() + begin);
                    });
@@ -119,7 +128,7 @@ void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> 
             for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
         }
     };
-    for_each_piece(rays.size(), plain_piece(rays.size()), options, trace);
+    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
 }
 
 }  // namespace boxwood
