@@ -40,7 +40,7 @@ std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     float step = 0;
     for (std::size_t i = 1; i < 8; ++i) step = std::fmax(step, apart(i - 1, i));
     // A row goes somewhere.
-    if (!(step > 0) || !(apart(0, kShortest - 1) > kShortest / 4 * step)) return 0;
+    if (!(step > 0) || !(apart(0, kShortest - 1) > kJump * step)) return 0;
     std::size_t length = 8;
     while (length < count && length <= kLongest && apart(length - 1, length) <= kJump * step)
         ++length;
