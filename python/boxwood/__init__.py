@@ -14,10 +14,11 @@ from ._camera import OrthographicCamera, PinholeCamera, SphericalCamera
 from ._color_map import color_map
 from ._core import Error, ParseError
 from ._image import Image
+from ._instance import Instance
 from ._mesh import Attribute, Labels, Mesh, MeshWarning, generate, load
 from ._render import render
 from ._results import ClosestPoints, FirstHits, HitLists, Hits, SignedDistances, TriangleLists
-from ._scene import Instance, Scene
+from ._scene import Scene
 from ._scene import open_scene as open
 from ._threads import thread_limit
 from ._tree import Tree, build

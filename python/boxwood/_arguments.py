@@ -72,6 +72,13 @@ def vectors(value: ArrayLike, name: str) -> Floats:
     return result
 
 
+def points(value: ArrayLike, name: str = "points") -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """The points as rows in double, and the shape of what is found for them."""
+    given = vectors(value, name)
+    rows = np.ascontiguousarray(given.reshape(-1, 3), dtype=np.float64)
+    return rows, given.shape[:-1]
+
+
 def vector(value: ArrayLike, name: str) -> NDArray[np.float64]:
     """Three finite numbers in double."""
     result = floats(value, name)

@@ -12,9 +12,10 @@ from . import _arguments as arguments
 from . import _core
 from ._camera import OrthographicCamera, PinholeCamera
 from ._image import Image
+from ._instance import Instance, instance_arrays
 from ._mesh import Mesh, warn
 from ._progress import Progress, reporting
-from ._scene import Instance, Scene, _instance_arrays
+from ._scene import Scene
 
 Camera = PinholeCamera | OrthographicCamera
 
@@ -98,7 +99,7 @@ def studio(what: Mesh | Scene, up: str, width: int = 640, height: int = 480) -> 
     else:
         raise TypeError(f"what: found {arguments.describe(what)}, expected a boxwood.Mesh or Scene")
     seen = [instance for instance in instances if instance.visibility]
-    places, transforms, _ = _instance_arrays(meshes, seen)
+    places, transforms, _ = instance_arrays(meshes, seen)
     world = _core.World.studio([mesh._data() for mesh in meshes], what_culls, places, transforms)
     world.frame(up, width, height)
     return world

@@ -22,8 +22,9 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments as arguments
 from ._adapters import colors_from_bytes, sign_method
 from ._camera import PinholeCamera
+from ._instance import Instance
 from ._mesh import Mesh
-from ._scene import Instance, Scene
+from ._scene import Scene
 from ._threads import thread_limit
 
 Answers = dict[str, NDArray[Any]]
