@@ -4,6 +4,8 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +14,8 @@
 #include <vector>
 
 #include "boxwood/core/vec.h"
+#include "boxwood/core/warnings.h"
+#include "boxwood/mesh/placement.h"
 
 namespace boxwood::python {
 
@@ -65,8 +69,24 @@ nb::ndarray<nb::numpy, T> array_of(std::vector<T> values) {
     return nb::ndarray<nb::numpy, T>(kept->data(), {kept->size()}, owner);
 }
 
-inline Vec3d vector_of(const ValuesOut<const double>& array) {
-    return {array.data()[0], array.data()[1], array.data()[2]};
+/// Matrices of affine maps, row by row; the last row isn't looked at.
+using Transforms = nb::ndarray<const double, nb::shape<-1, 4, 4>, nb::c_contig>;
+
+inline AffineMap affine_map(const Transforms& transforms, std::size_t i) {
+    AffineMap map = AffineMap::Identity();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            map.matrix()(row, column) =
+                transforms.data()[16 * i + static_cast<std::size_t>(4 * row + column)];
+    return map;
+}
+
+/// Kind, count and examples of each.
+inline List list_of(const Warnings& warnings) {
+    List result;
+    for (const Warning& warning : warnings.kinds())
+        result.append(nb::make_tuple(warning.kind, warning.count, warning.shown));
+    return result;
 }
 
 }  // namespace boxwood::python

@@ -68,13 +68,6 @@ List labels(nb::handle self) {
     return result;
 }
 
-List warnings(const MeshData& mesh) {
-    List result;
-    for (const Warning& warning : mesh.warnings.kinds())
-        result.append(nb::make_tuple(warning.kind, warning.count, warning.shown));
-    return result;
-}
-
 template <class Value>
 void set_values(MeshValues<Value>& values, ValuesOf of, const Table& table) {
     constexpr std::size_t kColumns = Value::RowsAtCompileTime;
@@ -194,7 +187,7 @@ void bind_meshes(nb::module_& module) {
             [](MeshData& self, std::vector<std::string> files) {
                 self.attributes.material_files = std::move(files);
             })
-        .def("warnings", &warnings)
+        .def("warnings", [](const MeshData& self) { return list_of(self.warnings); })
         .def("set_attribute", &set_attribute, "name"_a, "of"_a, "table"_a.noconvert())
         .def("add_field", &add_field, "name"_a, "of"_a, "values"_a.noconvert())
         .def("set_labels", &set_labels, "kind"_a, "names"_a, "of_face"_a.noconvert())

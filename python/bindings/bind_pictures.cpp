@@ -78,8 +78,6 @@ World read(const std::filesystem::path& path, const std::optional<std::string>& 
     return read_world(path, options);
 }
 
-using Transforms = nb::ndarray<const double, nb::shape<-1, 4, 4>, nb::c_contig>;
-
 /// Meshes of clay, or of their own colors.
 World studio(const List& meshes, const std::vector<bool>& culls,
              const Values<std::uint32_t>& mesh_of_object, const Transforms& transforms) {
@@ -95,10 +93,7 @@ World studio(const List& meshes, const std::vector<bool>& culls,
     }
     for (std::size_t i = 0; i < mesh_of_object.shape(0); ++i) {
         MeshObject object = {.mesh = mesh_of_object(i), .materials = {mesh_of_object(i)}};
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 4; ++column)
-                object.to_world.matrix()(row, column) =
-                    transforms.data()[16 * i + static_cast<std::size_t>(4 * row + column)];
+        object.to_world = affine_map(transforms, i);
         world.objects.push_back(std::move(object));
     }
     return world;
@@ -193,13 +188,7 @@ void bind_pictures(nb::module_& module) {
             "up"_a)
         .def_prop_ro("width", [](const World& self) { return self.picture.width; })
         .def_prop_ro("height", [](const World& self) { return self.picture.height; })
-        .def("warnings",
-             [](const World& self) {
-                 List result;
-                 for (const Warning& warning : self.warnings.kinds())
-                     result.append(nb::make_tuple(warning.kind, warning.count, warning.shown));
-                 return result;
-             })
+        .def("warnings", [](const World& self) { return list_of(self.warnings); })
         .def("render", &render_world, "integrator"_a.none(), "samples"_a.none(), "bounces"_a.none(),
              "seed"_a.none(), "pixels"_a.noconvert(), "progress"_a.none());
 

@@ -103,9 +103,9 @@ void bind_scenes(nb::module_& module) {
     nb::class_<PyScene> scene(module, "Scene");
     scene
         .def(nb::init<const List&, const List&, const std::vector<bool>&,
-                      const Values<std::uint32_t>&, const PyScene::Transforms&,
-                      const Values<std::uint32_t>&, const std::string&,
-                      const std::optional<std::string>&, const std::string&, bool>(),
+                      const Values<std::uint32_t>&, const Transforms&, const Values<std::uint32_t>&,
+                      const std::string&, const std::optional<std::string>&, const std::string&,
+                      bool>(),
              "vertices"_a, "faces"_a, "culls_back_faces"_a, "mesh_of_instance"_a.noconvert(),
              "transforms"_a.noconvert(), "visibilities"_a.noconvert(), "preset"_a,
              "method"_a.none(), "cost"_a, "brute_force"_a)

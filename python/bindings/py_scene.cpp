@@ -23,7 +23,7 @@ SceneMesh mesh_of(nb::handle vertices, nb::handle faces, bool culls) {
 }
 
 std::vector<Instance> instances_of(const Values<std::uint32_t>& meshes,
-                                   const PyScene::Transforms& transforms,
+                                   const Transforms& transforms,
                                    const Values<std::uint32_t>& visibilities) {
     const std::size_t count = meshes.shape(0);
     if (transforms.shape(0) != count || visibilities.shape(0) != count)
@@ -32,10 +32,7 @@ std::vector<Instance> instances_of(const Values<std::uint32_t>& meshes,
     for (std::size_t i = 0; i < count; ++i) {
         result[i].mesh = meshes(i);
         result[i].visibility = visibilities(i);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 4; ++column)
-                result[i].to_world.matrix()(row, column) =
-                    transforms.data()[16 * i + static_cast<std::size_t>(4 * row + column)];
+        result[i].to_world = affine_map(transforms, i);
     }
     return result;
 }

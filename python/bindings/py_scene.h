@@ -62,8 +62,6 @@ private:
 /// A scene with the arrays that it refers to, and what telling inside from outside took once.
 class PyScene {
 public:
-    using Transforms = nb::ndarray<const double, nb::shape<-1, 4, 4>, nb::c_contig>;
-
     /// Vertices are arrays in double or in float, faces int32 that nobody else can write to.
     PyScene(const List& vertices, const List& faces, const std::vector<bool>& culls,
             const Values<std::uint32_t>& mesh_of_instance, const Transforms& transforms,

@@ -23,8 +23,30 @@ class _Shown:
         return f"<boxwood.{type(self).__name__}: {members}>"
 
 
+class _OfRays(_Shown):
+    """Hits that may be missing."""
+
+    triangle: NDArray[np.int32]
+
+    @property
+    def hit(self) -> NDArray[np.bool_]:
+        """Whether there is a hit, in the shape of `triangle`."""
+        return np.asarray(self.triangle >= 0)
+
+
+class _Lists(_Shown):
+    """Lists, one after another."""
+
+    offsets: NDArray[np.int64]
+
+    @property
+    def counts(self) -> NDArray[np.int64]:
+        """(n) how many there are in each list."""
+        return np.diff(self.offsets)
+
+
 @dataclass(frozen=True, repr=False, eq=False)
-class Hits(_Shown):
+class Hits(_OfRays):
     """Where rays meet the scene, as arrays of the shape (...) that the rays have.
 
     t: (...) distance along the ray, in lengths of its direction; inf for a miss.
@@ -40,14 +62,9 @@ class Hits(_Shown):
     uv: Floats
     normal: Floats
 
-    @property
-    def hit(self) -> NDArray[np.bool_]:
-        """(...) whether the ray hits anything."""
-        return np.asarray(self.triangle >= 0)
-
 
 @dataclass(frozen=True, repr=False, eq=False)
-class FirstHits(_Shown):
+class FirstHits(_OfRays):
     """The first k hits of each ray, as arrays of shape (..., k); inf and -1 where there are fewer.
     Members are those of Hits."""
 
@@ -56,14 +73,9 @@ class FirstHits(_Shown):
     instance: NDArray[np.int32]
     uv: NDArray[np.float64]
 
-    @property
-    def hit(self) -> NDArray[np.bool_]:
-        """(..., k) whether there is such a hit."""
-        return np.asarray(self.triangle >= 0)
-
 
 @dataclass(frozen=True, repr=False, eq=False)
-class HitLists(_Shown):
+class HitLists(_Lists):
     """All hits of rays, one list after another: those of ray i stand from offsets[i] to
     offsets[i + 1] in the other arrays. Rays of more dimensions count in the order of C.
 
@@ -76,11 +88,6 @@ class HitLists(_Shown):
     triangle: NDArray[np.int32]
     instance: NDArray[np.int32]
     uv: NDArray[np.float64]
-
-    @property
-    def counts(self) -> NDArray[np.int64]:
-        """(n) hits of each ray."""
-        return np.diff(self.offsets)
 
     @property
     def ray(self) -> NDArray[np.int64]:
@@ -132,7 +139,7 @@ class SignedDistances(_Shown):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class TriangleLists(_Shown):
+class TriangleLists(_Lists):
     """The triangles that touch each of some shapes, one list after another: those of shape i stand
     from offsets[i] to offsets[i + 1] in the other arrays.
 
@@ -143,8 +150,3 @@ class TriangleLists(_Shown):
     offsets: NDArray[np.int64]
     triangle: NDArray[np.int32]
     instance: NDArray[np.int32]
-
-    @property
-    def counts(self) -> NDArray[np.int64]:
-        """(n) triangles of each shape."""
-        return np.diff(self.offsets)
