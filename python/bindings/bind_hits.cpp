@@ -30,11 +30,27 @@ void for_each_rays(const PyScene& scene, const RayArrays& arrays, nb::handle pro
     });
 }
 
+/// Where hits go.
+struct HitPlaces {
+    ValuesOut<double> t;
+    ValuesOut<std::int32_t> triangle, instance;
+    RowsOut<double, 2> uv;
+
+    void store(std::size_t at, const Hit& hit) const {
+        t.data()[at] = hit.t;
+        triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
+        instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
+        uv.data()[2 * at] = hit.u;
+        uv.data()[2 * at + 1] = hit.v;
+    }
+};
+
 void closest_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<double>& t,
                  const ValuesOut<std::int32_t>& triangle, const ValuesOut<std::int32_t>& instance,
                  const RowsOut<double, 2>& uv, const RowsOut<double, 3>& normal,
                  nb::handle progress) {
     check_places(arrays.size(), t, triangle, instance, uv, normal);
+    const HitPlaces places = {t, triangle, instance, uv};
     for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
         std::array<Hit, kPiece> hits;
         scene.scene().closest_hits(rays, std::span(hits).first(rays.size()),
@@ -42,11 +58,7 @@ void closest_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hit& hit = hits[i];
             const std::size_t at = begin + i;
-            t.data()[at] = hit.t;
-            triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
-            instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
-            uv.data()[2 * at] = hit.u;
-            uv.data()[2 * at + 1] = hit.v;
+            places.store(at, hit);
             const Vec3d n = hit.is_hit() ? scene.scene().geometric_normal(hit) : Vec3d::Zero();
             for (int k = 0; k < 3; ++k) normal.data()[3 * at + static_cast<std::size_t>(k)] = n[k];
         }
@@ -116,6 +128,7 @@ void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
                   const ValuesOut<std::int32_t>& instance, const RowsOut<double, 2>& uv,
                   nb::handle progress) {
     check_places(arrays.size() * k, t, triangle, instance, uv);
+    const HitPlaces places = {t, triangle, instance, uv};
     // So many hits of a piece are in memory besides the arrays, or those of one ray.
     constexpr std::size_t kAtATime = std::size_t{1} << 14;
     const std::size_t piece =
@@ -123,15 +136,7 @@ void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
     const auto store = [&](std::size_t begin, std::span<Ray> rays) {
         std::vector<Hit> hits(rays.size() * k);
         scene.scene().first_k_hits(rays, k, hits, {.on_this_thread = true});
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            const Hit& hit = hits[i];
-            const std::size_t at = begin * k + i;
-            t.data()[at] = hit.t;
-            triangle.data()[at] = static_cast<std::int32_t>(hit.triangle);
-            instance.data()[at] = hit.is_hit() ? static_cast<std::int32_t>(hit.instance) : -1;
-            uv.data()[2 * at] = hit.u;
-            uv.data()[2 * at + 1] = hit.v;
-        }
+        for (std::size_t i = 0; i < hits.size(); ++i) places.store(begin * k + i, hits[i]);
     };
     for_each_rays(scene, arrays, progress, store, piece);
 }
