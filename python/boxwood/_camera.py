@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments as arguments
 from . import _core
+from ._studio import studio
 
 _MOST = 2**15
 
@@ -114,8 +115,6 @@ class PinholeCamera(_Camera):
 
         up: the axis that points upward, "y" or "z".
         """
-        from ._render import studio
-
         found = studio(what, arguments.text(up, "up"), *_size(width, height)).camera
         position = np.array(found.position)
         return PinholeCamera(

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 import numpy as np
 
@@ -12,10 +11,10 @@ from . import _arguments as arguments
 from . import _core
 from ._camera import OrthographicCamera, PinholeCamera
 from ._image import Image
-from ._instance import Instance, instance_arrays
 from ._mesh import Mesh, warn
 from ._progress import Progress, reporting
 from ._scene import Scene
+from ._studio import studio
 
 Camera = PinholeCamera | OrthographicCamera
 
@@ -86,20 +85,3 @@ def render(
             report,
         )
     return Image(pixels)
-
-
-def studio(what: Mesh | Scene, up: str, width: int = 640, height: int = 480) -> Any:
-    """A world of meshes of clay, framed and lit."""
-    if isinstance(what, Mesh):
-        what_culls = [False]
-        meshes, instances = [what], [Instance(what)]
-    elif isinstance(what, Scene):
-        meshes, instances = what.meshes, what.instances
-        what_culls = what._culls
-    else:
-        raise TypeError(f"what: found {arguments.describe(what)}, expected a boxwood.Mesh or Scene")
-    seen = [instance for instance in instances if instance.visibility]
-    places, transforms, _ = instance_arrays(meshes, seen)
-    world = _core.World.studio([mesh._data() for mesh in meshes], what_culls, places, transforms)
-    world.frame(up, width, height)
-    return world
