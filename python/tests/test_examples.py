@@ -17,7 +17,7 @@ import boxwood as bw
 
 FOLDER = Path(__file__).parents[2] / "examples" / "python"
 TABLE = (FOLDER.parent / "README.md").read_text()
-SCRIPTS = re.findall(r"\(python/(\w+)\.py\)", TABLE)
+SCRIPTS = re.findall(r"^\| .*\(python/(\w+)\.py\)", TABLE, re.M)
 
 
 def read_png(path):
@@ -50,6 +50,15 @@ def run(script, *arguments, folder):
 
 def test_there_are_examples():
     assert len(SCRIPTS) >= 6
+
+
+def test_quick_start_writes_a_mesh_and_its_picture(tmp_path):
+    done = run("quick_start", tmp_path, folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert len(bw.load(tmp_path / "sphere.ply").faces) == 5120
+    width, height, pixels = read_png(tmp_path / "sphere.png")
+    assert (width, height) == (320, 240)
+    assert len(np.unique(pixels.reshape(-1, pixels.shape[2]), axis=0)) > 10
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
