@@ -11,29 +11,20 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import platform
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
+from python_bench import DRAGON, machine, timed
 
 import boxwood as bw
 
-ROOT = Path(__file__).resolve().parent.parent
 Rays = tuple[np.ndarray, np.ndarray]
 #: At least so many times as fast, for camera and random rays.
 TARGETS = {"trimesh+embreex": (6.0, 4.0), "open3d": (2.0, 1.3), "C++": (0.95, 0.95)}
-
-
-def timed(call: Callable[[], object]) -> tuple[float, object]:
-    start = time.perf_counter()
-    result = call()
-    return time.perf_counter() - start, result
 
 
 class Boxwood:
@@ -175,33 +166,9 @@ def measure(
     return best, others
 
 
-def machine() -> dict[str, object]:
-    cpu = "unknown"
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            cpu = line.split(":", 1)[1].strip()
-    commit = subprocess.run(
-        ["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True
-    ).stdout.strip()
-    peers = {}
-    for name in ("numpy", "trimesh", "embreex", "open3d"):
-        try:
-            peers[name] = version(name)
-        except ImportError:
-            continue
-    return {
-        "cpu": cpu,
-        "threads": os.cpu_count(),
-        "compiler": os.environ.get("BOXWOOD_COMPILER", "unknown"),
-        "python": platform.python_version(),
-        "commit": commit,
-        "packages": peers,
-    }
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("mesh", nargs="?", default=str(ROOT / "data/dragon_871k.off"))
+    parser.add_argument("mesh", nargs="?", default=DRAGON)
     parser.add_argument("--rays", type=int, default=1_000_000)
     parser.add_argument("--passes", type=int, default=7)
     parser.add_argument("--json", help="also write the results there")
@@ -243,7 +210,7 @@ def main() -> int:
             is_short |= ratio < target
             print(f"{label:<36} {ratio:6.2f}  {target:5.2f}  {'short' if ratio < target else 'ok'}")
     if arguments.json:
-        document = {"machine": machine(), "results": results}
+        document = {"machine": machine(("trimesh", "embreex", "open3d")), "results": results}
         Path(arguments.json).write_text(json.dumps(document, indent=2) + "\n")
     return int(arguments.check and is_short)
 

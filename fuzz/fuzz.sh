@@ -26,15 +26,18 @@ fuzz_one() {
     fi
 }
 
-# fuzz_merge TARGET: makes fuzz/corpus/TARGET the smallest set of inputs that reaches all that has been
-# reached.
+# fuzz_merge TARGET: makes fuzz/corpus/TARGET the seeds, which have names, and the fewest inputs besides
+# them that reach every branch that was reached. How often each was taken isn't told apart: that keeps
+# the corpora small.
 fuzz_merge() {
-    local target=$1 merged
+    local target=$1 corpus=fuzz/corpus/$1 merged
     merged=$(mktemp -d)
-    build/asan/fuzz/fuzz_"$target" -merge=1 -max_len=8192 "$merged" "fuzz/corpus/$target" \
+    mkdir -p "build/fuzz/$target"
+    find "$corpus" -type f -name '*.*' -exec cp -t "$merged" {} +
+    build/asan/fuzz/fuzz_"$target" -merge=1 -use_counters=0 -max_len=8192 "$merged" "$corpus" \
         "build/fuzz/$target" >"build/fuzz/$target-merge.log" 2>&1
-    rm -rf "fuzz/corpus/$target"
-    mv "$merged" "fuzz/corpus/$target"
-    chmod 755 "fuzz/corpus/$target"
-    say "fuzz: $target: $(find "fuzz/corpus/$target" -type f | wc -l) inputs in the corpus"
+    find "$corpus" -type f ! -name '*.*' -delete
+    find "$merged" -type f ! -name '*.*' -exec mv -t "$corpus" {} +
+    rm -rf "$merged"
+    say "fuzz: $target: $(find "$corpus" -type f | wc -l) inputs in the corpus"
 }
