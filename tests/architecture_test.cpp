@@ -104,6 +104,18 @@ const std::vector<Rule>& rules() {
                   {"#include \"boxwood/build/median.h\"", "#include \"boxwood/tree/tree.h\"",
                    "#include \"boxwood/core/box.h\"", "#include <vector>"})},
 
+        {"what the core, trees, builders and queries include of TBB stands in tests/portable as "
+         "well",
+         [](const Line& line) {
+             const std::string header = included(line), folder = folder_of(line.path);
+             return is_library(line) && header.starts_with("tbb/") && folder != "scene" &&
+                    folder != "world" && folder != "render" &&
+                    !fs::exists(fs::path(BOXWOOD_SOURCE_DIR) / "tests/portable" / header);
+         },
+         lines_of("src/boxwood/query/wide_hits.cpp", {"#include <tbb/concurrent_vector.h>"}),
+         {{"src/boxwood/query/wide_hits.cpp", 1, "#include <tbb/parallel_for.h>", ""},
+          {"src/boxwood/scene/scene.cpp", 1, "#include <tbb/concurrent_vector.h>", ""}}},
+
         {"the library includes its own headers as \"boxwood/FOLDER/FILE\", and none of an app's",
          [](const Line& line) {
              return is_library(line) && matches(line.text, R"re(^\s*#\s*include\s*")re") &&
