@@ -183,5 +183,24 @@ TEST(Triangulate, huge_concave_polygons_are_counted_and_stay_fans) {
     EXPECT_EQ(mesh.faces, before);
 }
 
+TEST(Triangulate, large_simple_polygons_are_clipped) {
+    // A band that winds up, first along its outer side and back along the inner one: all corners of
+    // half of it point inwards.
+    std::vector<Vec3d> spiral;
+    constexpr int kSteps = 500;
+    const auto place = [](int step, double radius) {
+        const double angle = 0.1 * step;
+        return Vec3d((radius + angle) * std::cos(angle), (radius + angle) * std::sin(angle), 0);
+    };
+    for (int step = 0; step < kSteps; ++step) spiral.push_back(place(step, 12));
+    for (int step = kSteps; step-- > 0;) spiral.push_back(place(step, 10));
+    for (const auto& polygon : {spiral, star(500, 0.1), star(500, 0.7)}) {
+        TriangleMesh mesh = fan_of(polygon);
+        EXPECT_EQ(mend(mesh), 0u);
+        const double expected = polygon_area(polygon);
+        EXPECT_NEAR(area(mesh), expected, 1e-9 * expected);
+    }
+}
+
 }  // namespace
 }  // namespace boxwood
