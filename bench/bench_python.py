@@ -8,8 +8,6 @@ Usage: ./dev bench python [MESH] [--rays N] [--passes N] [--json FILE] [--check]
 
 from __future__ import annotations
 
-import argparse
-import json
 import os
 import subprocess
 import sys
@@ -18,7 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from python_bench import DRAGON, machine, timed
+from python_bench import conclude, parse, timed
 
 import boxwood as bw
 
@@ -167,16 +165,7 @@ def measure(
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("mesh", nargs="?", default=DRAGON)
-    parser.add_argument("--rays", type=int, default=1_000_000)
-    parser.add_argument("--passes", type=int, default=7)
-    parser.add_argument("--json", help="also write the results there")
-    parser.add_argument("--check", action="store_true", help="exit with 1 when a target is short")
-    arguments = parser.parse_args()
-    if not Path(arguments.mesh).exists():
-        parser.error(f"{arguments.mesh} isn't there; ./dev data brings the dragon")
-
+    arguments = parse(__doc__, "rays", passes=7)
     mesh = bw.load(arguments.mesh)
     results = {}
     with tempfile.TemporaryDirectory() as folder:
@@ -193,26 +182,17 @@ def main() -> int:
                 print(f"  {name:<16} {1e3 * seconds:8.1f} ms {rate:7.2f} M/s {ratio:6.2f}  {apart}")
     print("\nThe last column: rays that hit another triangle than in float64, ties included.")
 
-    is_short = False
+    targets = []
     for column, kind in enumerate(("camera", "random")):
         seconds = results[kind]["seconds"]
-        rows = [
-            (f"{kind}: float32 to {peer}", seconds[peer] / seconds["boxwood float32"], peer)
-            for peer in ("trimesh+embreex", "open3d")
-            if peer in seconds
-        ]
-        rows += [
-            (f"{kind}: {p} to C++", seconds[f"C++ {p}"] / seconds[f"boxwood {p}"], "C++")
-            for p in ("float32", "float64")
-        ]
-        for label, ratio, peer in rows:
-            target = TARGETS[peer][column]
-            is_short |= ratio < target
-            print(f"{label:<36} {ratio:6.2f}  {target:5.2f}  {'short' if ratio < target else 'ok'}")
-    if arguments.json:
-        document = {"machine": machine(("trimesh", "embreex", "open3d")), "results": results}
-        Path(arguments.json).write_text(json.dumps(document, indent=2) + "\n")
-    return int(arguments.check and is_short)
+        for peer in ("trimesh+embreex", "open3d"):
+            if peer in seconds:
+                ratio = seconds[peer] / seconds["boxwood float32"]
+                targets.append((f"{kind}: float32 to {peer}", ratio, TARGETS[peer][column]))
+        for precision in ("float32", "float64"):
+            ratio = seconds[f"C++ {precision}"] / seconds[f"boxwood {precision}"]
+            targets.append((f"{kind}: {precision} to C++", ratio, TARGETS["C++"][column]))
+    return conclude(arguments, targets, ("trimesh", "embreex", "open3d"), results)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 
 #include "boxwood/core/parallel.h"
 
@@ -53,7 +52,6 @@ public:
     explicit EarClipping(std::span<const Vec2d> points)
         : points_(points), before_(points.size()), after_(points.size()) {
         const int n = static_cast<int>(points.size());
-        checks_left_ = kChecks * n * n;
         for (int i = 0; i < n; ++i) {
             before_[i] = (i + n - 1) % n;
             after_[i] = (i + 1) % n;
@@ -66,8 +64,7 @@ public:
         flat_ = 1e-12 * sum;
     }
 
-    /// None when there are no more ears before the end, as the polygon crosses itself, or when they
-    /// are too hard to find, as in one that goes over the same corners again and again.
+    /// None when there are no more ears before the end: the polygon crosses itself.
     std::vector<Vec3i> triangles() {
         std::vector<Vec3i> result;
         int at = 0;
@@ -90,10 +87,9 @@ private:
         return turn(points_[before_[i]], points_[i], points_[after_[i]]);
     }
 
-    bool is_ear(int i) {
+    bool is_ear(int i) const {
         if (!(turn_at(i) > 0)) return false;
         for (const int other : inward_) {
-            --checks_left_;
             if (other != before_[i] && other != after_[i] &&
                 holds(points_[before_[i]], points_[i], points_[after_[i]], points_[other]))
                 return false;
@@ -103,24 +99,19 @@ private:
 
     /// The next one from a corner on; without any, a corner that covers no area, but for rounding,
     /// or -1.
-    int next_ear(int from, std::size_t left) {
+    int next_ear(int from, std::size_t left) const {
         int at = from, flattest = from;
         for (std::size_t i = 0; i < left; ++i, at = after_[at]) {
             if (is_ear(at)) return at;
-            if (checks_left_ < 0) return -1;
             if (std::abs(turn_at(at)) < std::abs(turn_at(flattest))) flattest = at;
         }
         return std::abs(turn_at(flattest)) <= flat_ ? flattest : -1;
     }
 
-    /// Of corners against ears, for each pair of corners. A comb needs one.
-    static constexpr std::int64_t kChecks = 8;
-
     std::span<const Vec2d> points_;
     std::vector<int> before_, after_;
     double flat_ = 0;          ///< turns of at most this are rounding
     std::vector<int> inward_;  ///< corners that turn the wrong way, or not at all
-    std::int64_t checks_left_ = 0;
 };
 
 /// The triangles of a fan, from an array that has the polygon's corners in them.

@@ -21,10 +21,10 @@ struct PolygonFan {
 constexpr std::uint32_t kMostClippedCorners = 1024;
 
 /// Cuts those polygons again, by clipping ears, whose fan doesn't cover them, as that of a concave
-/// one may not; that of a polygon that crosses itself, or whose ears are too hard to find, stays.
-/// The number of triangles stays. The arrays are the faces and whatever else has three indices a
-/// face, for its corners: all are reordered alike. Returns the number of fans that are wrong and
-/// stay because of their size. O(n) for n corners in fans, O(n^2) for each polygon that is clipped;
+/// one may not; that of a polygon that crosses itself stays. The number of triangles stays. The
+/// arrays are the faces and whatever else has three indices a face, for its corners: all are
+/// reordered alike. Returns the number of fans that are wrong and stay because of their size. O(n)
+/// for n corners in fans, about O(n^2) for each polygon that is clipped, and O(n^3) at the most;
 /// all cores. Preconditions: indices in range, fans in order and apart. Source: Meisters, "Polygons
 /// have ears", American Mathematical Monthly 82, 1975.
 std::size_t mend_fans(std::span<const Vec3d> vertices, std::span<const PolygonFan> fans,
