@@ -16,7 +16,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from python_bench import conclude, parse, timed
+from python_contest import conclude, parse, timed
 
 import boxwood as bw
 

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
-from python_bench import conclude, parse, timed
+from python_contest import conclude, parse, timed
 
 import boxwood as bw
 
