@@ -149,9 +149,11 @@ def measure(
     runs = {name: player.prepare(*rays) for name, player in players.items()}
     best = dict.fromkeys(players, float("inf"))
     triangles = {}
-    for _ in range(passes):
-        for name, run in runs.items():
-            seconds, result = run()
+    for k in range(passes):
+        # In another order each time: the threads of whoever came before may still be looking for work.
+        names = np.random.default_rng(k).permutation(list(runs))
+        for name in names:
+            seconds, result = runs[name]()
             best[name] = min(best[name], seconds)
             if name not in triangles:
                 triangles[name] = players[name].triangles(result)

@@ -2,11 +2,17 @@
 # includes that are missing, so lint goes without.
 option(BOXWOOD_PRECOMPILED_HEADERS "Parse the headers that all sources share once" ${PROJECT_IS_TOP_LEVEL})
 
-# boxwood_precompile(TARGET HEADER...)
+# boxwood_precompile(TARGET HEADER...), or boxwood_precompile(TARGET REUSE_FROM OTHER), which has to be
+# compiled by the same options.
 function(boxwood_precompile target)
     if(BOXWOOD_PRECOMPILED_HEADERS)
-        target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath>
-            <cstdint> <filesystem> <limits> <optional> <span> <string> <string_view> <vector> ${ARGN})
+        if("${ARGV1}" STREQUAL "REUSE_FROM")
+            target_precompile_headers(${target} ${ARGN})
+        else()
+            target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm>
+                <cmath> <cstdint> <filesystem> <limits> <optional> <span> <string> <string_view> <vector>
+                ${ARGN})
+        endif()
         # GCC 12 then warns of overflows in std::string where there are none.
         target_compile_options(${target} PRIVATE
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>

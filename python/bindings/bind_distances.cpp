@@ -28,9 +28,8 @@ void for_each_points(const PyScene& scene, const PackedRows<double>& array, nb::
         for (std::size_t begin = 0; begin < points.size(); begin += kAtATime) {
             const auto part = points.subspan(begin, std::min(kAtATime, points.size() - begin));
             results.assign(part.size(), Result{});
-            ask(part, std::span(results), watch.options());
+            ask(part, std::span(results), watch.options(part.size()));
             for (std::size_t i = 0; i < part.size(); ++i) store(begin + i, results[i]);
-            watch.add(part.size());
         }
     });
 }

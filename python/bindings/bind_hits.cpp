@@ -95,7 +95,7 @@ Dict all_hits(const PyScene& scene, const RayArrays& arrays, nb::handle progress
         for (std::size_t begin = 0; begin < arrays.size(); begin += kAtATime) {
             rays.resize(std::min(kAtATime, arrays.size() - begin));
             arrays.gather(begin, rays);
-            HitLists part = scene.scene().all_hits(rays, watch.options());
+            HitLists part = scene.scene().all_hits(rays, watch.options(rays.size()));
             if (begin == 0 && rays.size() == arrays.size()) {
                 all = std::move(part);
             } else {
@@ -110,7 +110,6 @@ Dict all_hits(const PyScene& scene, const RayArrays& arrays, nb::handle progress
                 append(all.triangle, part.triangle);
                 append(all.instance, part.instance);
             }
-            watch.add(rays.size());
         }
     });
     Dict result;

@@ -29,7 +29,7 @@ Dict lists_of(const PyScene& scene, std::size_t count, nb::handle progress,
             shapes.clear();
             for (std::size_t i = begin; i < std::min(begin + kAtATime, count); ++i)
                 shapes.push_back(make_shape(i));
-            const TriangleLists<TriangleId> part = ask(shapes, watch.options());
+            const TriangleLists<TriangleId> part = ask(shapes, watch.options(shapes.size()));
             const auto before = static_cast<std::int64_t>(triangles.size());
             for (std::size_t i = 1; i < part.offsets.size(); ++i)
                 offsets.push_back(before + static_cast<std::int64_t>(part.offsets[i]));
@@ -37,7 +37,6 @@ Dict lists_of(const PyScene& scene, std::size_t count, nb::handle progress,
                 triangles.push_back(static_cast<std::int32_t>(id.triangle));
                 instances.push_back(static_cast<std::int32_t>(id.instance));
             }
-            watch.add(shapes.size());
         }
     });
     Dict result;

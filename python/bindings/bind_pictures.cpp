@@ -124,14 +124,9 @@ void render_world(World& world, const std::optional<std::string>& integrator,
                              .bounces = bounces.value_or(picture.bounces)};
     constexpr std::size_t kSteps = 1000;
     run_watched(kSteps, progress, [&](Watch& watch) {
-        const BatchOptions watched = watch.options();
+        const BatchOptions watched = watch.options(kSteps);
         options.cancellation = watched.cancellation;
-        std::size_t reported = 0;
-        options.progress = [&](double part) {
-            const auto steps = static_cast<std::size_t>(part * kSteps);
-            watch.add(steps - reported);
-            reported = steps;
-        };
+        options.progress = watched.progress;
         const Surfaces surfaces(world, {.keep_trees = options.integrator == IntegratorKind::heat});
         const ColorImage image = render(world, surfaces, options);
         for (std::size_t i = 0; i < image.pixels.size(); ++i)

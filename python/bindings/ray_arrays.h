@@ -10,7 +10,7 @@
 #include "arrays.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/ray.h"
-#include "boxwood/query/rayf.h"
+#include "boxwood/query/ray_columns.h"
 
 namespace boxwood::python {
 
@@ -81,48 +81,31 @@ private:
     Kept<Values<std::uint32_t>> visibility_;
 };
 
-/// Rows of three floats that are kept: each lies together, the next one so many floats on.
-class KeptRowsf {
-public:
-    explicit KeptRowsf(const Rows<float>& array)
-        : array_(array), first_(array.data()), step_(array.stride(0)) {
-        if (array.stride(1) != 1)
-            throw InvalidInput("rays: expected rows that lie together in memory");
-    }
-
-    std::size_t size() const { return array_.shape(0); }
-    const float* operator[](std::size_t i) const {
-        return first_ + static_cast<std::int64_t>(i) * step_;
-    }
-
-private:
-    Rows<float> array_;
-    const float* first_;
-    std::int64_t step_;
-};
-
-/// Rays in float, as arrays.
+/// Rays in float, as arrays that are kept.
 class RayArraysf {
 public:
     RayArraysf(const Rows<float>& origins, const Rows<float>& directions,
                const Values<float>& t_min, const Values<float>& t_max)
         : origins_(origins), directions_(directions), t_min_(t_min), t_max_(t_max) {
-        check_sizes(size(), {directions_.size(), t_min_.size(), t_max_.size()});
+        check_sizes(size(), {directions.shape(0), t_min.shape(0), t_max.shape(0)});
+        for (const Rows<float>& rows : {origins, directions})
+            if (rows.stride(1) != 1)
+                throw InvalidInput("rays: expected rows that lie together in memory");
     }
 
-    std::size_t size() const { return origins_.size(); }
-
-    Rayf operator[](std::size_t i) const {
-        const float *o = origins_[i], *d = directions_[i];
-        return {.origin = {o[0], o[1], o[2]},
-                .t_min = t_min_(i),
-                .direction = {d[0], d[1], d[2]},
-                .t_max = t_max_(i)};
+    std::size_t size() const { return origins_.shape(0); }
+    RayColumns columns() const {
+        return {size(), column(origins_), column(directions_), column(t_min_), column(t_max_)};
     }
 
 private:
-    KeptRowsf origins_, directions_;
-    Kept<Values<float>> t_min_, t_max_;
+    template <class Array>
+    static FloatColumn column(const Array& array) {
+        return {array.data(), array.stride(0)};
+    }
+
+    Rows<float> origins_, directions_;
+    Values<float> t_min_, t_max_;
 };
 
 /// Throws InvalidInput unless there is a place for each of so many.

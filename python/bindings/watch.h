@@ -23,17 +23,14 @@ public:
     Watch(std::size_t total, nanobind::handle progress)
         : total_(total), progress_(progress), caller_(std::this_thread::get_id()) {}
 
-    /// From any thread: so many more are done. Throws, on the thread that called alone, what
-    /// Python has to say; the work that is left then is cancelled.
-    void add(std::size_t count) {
-        done_.fetch_add(count, std::memory_order_relaxed);
-        look_now_and_then();
-    }
-
-    /// How a batch that is part of the work runs.
-    BatchOptions options() {
-        return {.progress = [this](double) { look_now_and_then(); },
-                .cancellation = &cancellation_};
+    /// How a batch of so many of the things runs; they are counted as it goes. It throws, on the
+    /// thread that called alone, what Python has to say; the work that is left then is cancelled.
+    BatchOptions options(std::size_t count) {
+        const auto report = [this, count, before = done_.load()](double part) {
+            done_ = before + static_cast<std::size_t>(part * static_cast<double>(count));
+            look_now_and_then();
+        };
+        return {.progress = report, .cancellation = &cancellation_};
     }
 
     /// Calls body(begin, end) for pieces of all that there is, on all cores.
@@ -42,7 +39,8 @@ public:
         const BatchOptions options = {.cancellation = &cancellation_};
         boxwood::for_each_piece(total_, piece, options, [&](std::size_t begin, std::size_t end) {
             body(begin, end);
-            add(end - begin);
+            done_.fetch_add(end - begin, std::memory_order_relaxed);
+            look_now_and_then();
         });
     }
 

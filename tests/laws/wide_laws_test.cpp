@@ -13,6 +13,7 @@
 #include "boxwood/query/wide_hits.h"
 #include "cases.h"
 #include "laws/all_trees.h"
+#include "laws/columns.h"
 #include "laws/float_hits.h"
 #include "laws/float_oracle.h"
 #include "laws/hits.h"
@@ -124,6 +125,11 @@ TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
                     << "\nexpected " << text(expected[i]);
                 ASSERT_EQ(any[i], expected[i].has_value()) << name << ", ray " << i;
             }
+            Columns columns{std::span(rays).first(count)};
+            closest_hits(tree, columns.rays(), columns.hits());
+            ASSERT_TRUE(columns.hold(hits)) << name;
+            any_hits(tree, columns.rays(), columns.any());
+            ASSERT_TRUE(std::equal(any.get(), any.get() + count, columns.any().begin())) << name;
         }
     }
 }

@@ -13,6 +13,7 @@
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/wide_hits.h"
 #include "boxwood/scene/build_wide_tree.h"
+#include "laws/columns.h"
 
 namespace boxwood {
 namespace {
@@ -118,6 +119,27 @@ TEST(RayOrder, leaves_no_trace_in_the_hits) {
         ASSERT_EQ(std::memcmp(&alone, &hits[i], sizeof alone), 0) << "ray " << i;
     }
     EXPECT_GT(found, rays.size() / 10);
+
+    Columns columns(rays);
+    closest_hits(tree, columns.rays(), columns.hits());
+    EXPECT_TRUE(columns.hold(hits));
+}
+
+/// Too few for rows, but from one point: given once, or again and again.
+TEST(RayOrder, rays_from_one_point_may_share_it) {
+    const TriangleMesh mesh = generate_torus_knot(5000);
+    const WideTree tree = build_wide_tree(mesh);
+    const std::vector<Rayf> rays = camera_rays(100, 70);
+    std::vector<Hitf> hits(rays.size());
+    closest_hits(tree, rays, hits);
+    Columns columns(rays);
+    closest_hits(tree, columns.rays(), columns.hits());
+    EXPECT_TRUE(columns.hold(hits));
+
+    RayColumns shared = columns.rays();
+    shared.origin.step = shared.t_min.step = shared.t_max.step = 0;
+    closest_hits(tree, shared, columns.hits());
+    EXPECT_TRUE(columns.hold(hits));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "boxwood/query/brute_force.h"
 #include "boxwood/scene/scene.h"
 #include "boxwood/scene/scene_sign.h"
+#include "laws/columns.h"
 #include "laws/hits.h"
 #include "laws/ray_families.h"
 
@@ -71,6 +72,11 @@ TEST(SceneBatch, sizes_that_differ_are_refused) {
         const auto any = std::make_unique<bool[]>(count);
         EXPECT_THROW(scene.closest_hits(rays, hits), InvalidInput) << count;
         EXPECT_THROW(scene.any_hits(rays, {any.get(), count}), InvalidInput) << count;
+        Columns columns(std::vector<Rayf>(5));
+        HitColumns places = columns.hits();
+        places.count = count;
+        EXPECT_THROW(scene.closest_hits(columns.rays(), places), InvalidInput) << count;
+        EXPECT_THROW(scene.any_hits(columns.rays(), {any.get(), count}), InvalidInput) << count;
     }
 }
 
@@ -133,6 +139,12 @@ TEST(SceneBatch, rays_in_float_find_what_those_in_double_find) {
             }
             EXPECT_GT(found, 700u);
             EXPECT_GE(same + 5, found);
+
+            Columns columns(rays);
+            scene.closest_hits(columns.rays(), columns.hits());
+            EXPECT_TRUE(columns.hold(hits));
+            scene.any_hits(columns.rays(), columns.any());
+            EXPECT_TRUE(std::equal(any.get(), any.get() + rays.size(), columns.any().begin()));
         }
     }
 }

@@ -58,16 +58,24 @@ std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     return length;
 }
 
-/// A ray's place in the batch, and the one that it takes among those of its piece.
+/// A ray's place in the batch, from the first of its piece on, and the one that it takes in the
+/// piece.
 struct RayPlace {
-    std::size_t in_batch;
-    std::uint32_t in_piece;
+    std::uint32_t in_batch, in_piece;
 };
 
 /// The order, piece by piece.
 class RayOrder {
 public:
-    static constexpr std::size_t kPiece = 4096;  ///< rays of a piece
+    static constexpr std::size_t kPiece = 4096;            ///< rays of a piece
+    static constexpr std::size_t kTile = 16;               ///< rows and columns of a tile
+    static constexpr std::size_t kWidth = kPiece / kTile;  ///< of a piece of tiles
+
+    /// Some rays of some rows, side by side; of the last row maybe fewer.
+    struct Shape {
+        std::size_t row_length = 0, width = 0, size = 0;
+        bool operator==(const Shape&) const = default;
+    };
 
     /// Tile by tile of rows of that length; as they are, where it is 0.
     RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
@@ -81,42 +89,50 @@ public:
     }
 
     std::size_t pieces() const { return pieces_; }
-    bool is_tiled() const { return row_length_ > 0; }
-    /// The first ray of a piece, and how many it has. Precondition: not is_tiled().
-    std::size_t first(std::size_t piece) const { return piece * kPiece; }
-    std::size_t size(std::size_t piece) const { return std::min(kPiece, count_ - first(piece)); }
+    /// The first ray of a piece.
+    std::size_t first(std::size_t piece) const {
+        if (row_length_ == 0) return piece * kPiece;
+        return piece / pieces_per_row_ * kTile * row_length_ + piece % pieces_per_row_ * kWidth;
+    }
+    /// A width of 0 where rays are taken as they are.
+    Shape shape(std::size_t piece) const {
+        const std::size_t begin = first(piece);
+        if (row_length_ == 0) return {0, 0, std::min(kPiece, count_ - begin)};
+        const std::size_t left = begin % row_length_;
+        Shape shape = {row_length_, std::min(kWidth, row_length_ - left), 0};
+        for (std::size_t y = 0; y < kTile; ++y) {
+            const std::size_t row = begin + y * row_length_;
+            if (row < count_) shape.size += std::min(shape.width, count_ - row);
+        }
+        return shape;
+    }
 
-    /// Writes the places of a piece's rays to kPiece places, and returns how many there are. They
-    /// come in the order in which they stand in the batch, so that memory is read as it lies.
-    /// Precondition: is_tiled().
-    std::size_t places(std::size_t piece, RayPlace* places) const {
-        std::size_t size = 0;
-        const std::size_t top = piece / pieces_per_row_ * kTile;
-        const std::size_t left = piece % pieces_per_row_ * kWidth;
-        const std::size_t width = std::min(kWidth, row_length_ - left);
-        const auto is_there = [&](std::size_t x, std::size_t y) {
-            return x < width && (top + y) * row_length_ + left + x < count_;
+    /// Writes the places of a piece's rays. They come in the order in which they stand in the
+    /// batch, so that memory is read as it lies. Precondition: shape.width > 0.
+    static void write_places(const Shape& shape, std::vector<RayPlace>& places) {
+        const std::size_t rows = shape.size / shape.width, rest = shape.size % shape.width;
+        const auto width_of = [&](std::size_t y) {
+            return y < rows ? shape.width : y == rows ? rest : 0;
         };
         // Tile by tile, in each by its Morton code: groups of 64 or 256 rays are squares.
         std::array<std::uint32_t, kPiece> in_piece;
         std::uint32_t next = 0;
-        for (std::size_t tile = 0; tile < width; tile += kTile) {
+        for (std::size_t tile = 0; tile < shape.width; tile += kTile) {
             for (std::size_t code = 0; code < kTile * kTile; ++code) {
                 const std::size_t x = tile + every_second_bit(code),
                                   y = every_second_bit(code >> 1);
-                if (is_there(x, y)) in_piece[y * kWidth + x] = next++;
+                if (x < width_of(y)) in_piece[y * kWidth + x] = next++;
             }
         }
+        places.clear();
         for (std::size_t y = 0; y < kTile; ++y) {
-            for (std::size_t x = 0; is_there(x, y); ++x)
-                places[size++] = {(top + y) * row_length_ + left + x, in_piece[y * kWidth + x]};
+            for (std::size_t x = 0; x < width_of(y); ++x)
+                places.push_back({static_cast<std::uint32_t>(y * shape.row_length + x),
+                                  in_piece[y * kWidth + x]});
         }
-        return size;
     }
 
 private:
-    static constexpr std::size_t kTile = 16, kWidth = kPiece / kTile;
-
     /// Bits 0, 2, 4 and 6 of a Morton code, moved together.
     static constexpr std::size_t every_second_bit(std::size_t code) {
         return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
@@ -125,25 +141,25 @@ private:
     std::size_t count_, row_length_, pieces_per_row_ = 1, pieces_;
 };
 
-/// The rays and hits of a piece. One serves many pieces, so that memory is asked for once.
+/// The rays and hits of a piece. One serves many pieces, so that memory is asked for once, and most
+/// pieces have one of two shapes: whole, or cut off at the end of the rows.
 struct RayPiece {
     std::vector<Rayf> rays;
     std::vector<Hitf> hits;  ///< as many as rays
 
     template <class RayAt>
     void take(const RayOrder& order, std::size_t piece, const RayAt& ray_at) {
-        std::size_t size = 0;
-        if (order.is_tiled()) {
-            places_.resize(RayOrder::kPiece);
-            size = order.places(piece, places_.data());
-            places_.resize(size);
-        } else {
-            places_.clear();
-            first_ = order.first(piece);
-            size = order.size(piece);
+        first_ = order.first(piece);
+        const RayOrder::Shape shape = order.shape(piece);
+        is_tiled_ = shape.width > 0;
+        is_whole_ = shape.width == RayOrder::kWidth;
+        Tiles& tiles = tiles_[is_whole_];
+        if (is_tiled_ && tiles.shape != shape) {
+            tiles.shape = shape;
+            RayOrder::write_places(shape, tiles.places);
         }
-        rays.resize(size);
-        hits.resize(size);
+        rays.resize(shape.size);
+        hits.resize(shape.size);
         for_each(
             [&](std::size_t in_batch, std::size_t in_piece) { rays[in_piece] = ray_at(in_batch); });
     }
@@ -151,16 +167,23 @@ struct RayPiece {
     /// Calls visit(place in the batch, place in the piece) for each ray.
     template <class Visit>
     void for_each(const Visit& visit) const {
-        if (places_.empty()) {
-            for (std::size_t i = 0; i < rays.size(); ++i) visit(first_ + i, i);
+        if (is_tiled_) {
+            for (const RayPlace& place : tiles_[is_whole_].places)
+                visit(first_ + place.in_batch, place.in_piece);
         } else {
-            for (const RayPlace& place : places_) visit(place.in_batch, place.in_piece);
+            for (std::size_t i = 0; i < rays.size(); ++i) visit(first_ + i, i);
         }
     }
 
 private:
+    struct Tiles {
+        RayOrder::Shape shape;
+        std::vector<RayPlace> places;
+    };
+
     std::size_t first_ = 0;
-    std::vector<RayPlace> places_;
+    Tiles tiles_[2];
+    bool is_tiled_ = false, is_whole_ = false;
 };
 
 }  // namespace boxwood

@@ -14,6 +14,9 @@ namespace boxwood {
 
 namespace {
 
+/// Whether kernels for many rays take the tree as it is.
+bool is_plain(const WideTree& tree) { return tree.scale() == 1 && !tree.is_empty(); }
+
 /// Rays of one task, where they are taken as they are: whole groups of rays, so that a camera's
 /// tiles stay together; enough for a wavefront to run long, few enough to share out evenly.
 std::size_t piece_of(std::size_t count) {
@@ -40,7 +43,7 @@ void unscale(Hitf& hit, float scale) {
 
 /// The closest hits of some rays, on this thread.
 void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
-    if (tree.scale() == 1 && !tree.is_empty()) {
+    if (is_plain(tree)) {
         const RayKernels& kernels = ray_kernels(tree.instruction_set());
         kernels.closest_hits(tree.view(), rays.data(), hits, rays.size());
     } else {
@@ -48,19 +51,57 @@ void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
     }
 }
 
-/// Those of a camera, in tiles of its rows.
-void trace_tiles(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
-                 std::size_t row, const BatchOptions& options) {
-    const RayOrder order(rays.size(), row);
-    tbb::enumerable_thread_specific<RayPiece> pieces;
-    for_each_piece(order.pieces(), 1, options, [&](std::size_t i, std::size_t) {
-        RayPiece& piece = pieces.local();
-        piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
-        trace(tree, piece.rays, piece.hits.data());
-        piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
-            hits[in_batch] = piece.hits[in_piece];
-        });
+/// Those of one piece of many rays, by way of an array.
+template <class Rays, class Hits>
+void trace_piece(const WideTree& tree, const Rays& rays, const Hits& hits, const RayOrder& order,
+                 std::size_t i, RayPiece& piece) {
+    piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
+    trace(tree, piece.rays, piece.hits.data());
+    piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
+        put(hits, in_batch, piece.hits[in_piece]);
     });
+}
+
+using Pieces = tbb::enumerable_thread_specific<RayPiece>;
+
+/// Those of a camera, in tiles of its rows; false where rays come in no rows.
+template <class Rays, class Hits>
+bool trace_tiles(const WideTree& tree, const Rays& rays, const Hits& hits, std::size_t count,
+                 const BatchOptions& options) {
+    const std::size_t row = row_length(count, [&](std::size_t i) { return rays[i]; });
+    if (row == 0) return false;
+    const RayOrder order(count, row);
+    Pieces pieces;
+    for_each_piece(order.pieces(), 1, options, [&](std::size_t i, std::size_t) {
+        trace_piece(tree, rays, hits, order, i, pieces.local());
+    });
+    return true;
+}
+
+/// The closest hit with a normal of any length, which isn't too large for a float then.
+Hitf hit_on_scaled(const WideTree& tree, const Rayf& ray) {
+    Hitf hit;
+    if (tree.is_empty()) return hit;
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    kernels.closest_hit(tree.view(), scaled(ray, tree.scale()), hit);
+    hit.t *= 1 / tree.scale();
+    return hit;
+}
+
+/// Some rays in columns, on this thread. Those that start at one point are better off in an array.
+void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits, Pieces& pieces) {
+    if (!is_plain(tree)) {
+        for (std::size_t i = 0; i < rays.count; ++i) put(hits, i, hit_on_scaled(tree, rays[i]));
+        return;
+    }
+    const Rayf first = rays[0], last = rays[rays.count - 1];
+    if (!std::equal(first.origin, first.origin + 3, last.origin)) {
+        const RayKernels& kernels = ray_kernels(tree.instruction_set());
+        return kernels.closest_hits_in_columns(tree.view(), rays, hits);
+    }
+    const RayOrder order(rays.count, 0);
+    for (std::size_t i = 0; i < order.pieces(); ++i)
+        trace_piece(tree, rays, hits, order, i, pieces.local());
 }
 
 }  // namespace
@@ -109,11 +150,22 @@ bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
                   const BatchOptions& options) {
     check_hit_places(rays.size(), hits.size());
-    const std::size_t row = row_length(rays.size(), [&](std::size_t i) { return rays[i]; });
-    if (row > 0) return trace_tiles(tree, rays, hits, row, options);
+    if (trace_tiles(tree, rays, hits.data(), rays.size(), options)) return;
     for_each_piece(rays.size(), piece_of(rays.size()), options,
                    [&](std::size_t begin, std::size_t end) {
                        trace(tree, rays.subspan(begin, end - begin), hits.data() + begin);
+                   });
+}
+
+void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
+                  const BatchOptions& options) {
+    check_hit_places(rays.count, hits.count);
+    if (is_plain(tree) && trace_tiles(tree, rays, hits, rays.count, options)) return;
+    Pieces pieces;
+    for_each_piece(rays.count, piece_of(rays.count), options,
+                   [&](std::size_t begin, std::size_t end) {
+                       const std::size_t size = end - begin;
+                       trace(tree, rays.part(begin, size), hits.part(begin, size), pieces);
                    });
 }
 
@@ -122,13 +174,28 @@ void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> 
     check_hit_places(rays.size(), hits.size());
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     const auto trace = [&](std::size_t begin, std::size_t end) {
-        if (tree.scale() == 1 && !tree.is_empty()) {
+        if (is_plain(tree)) {
             kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
         } else {
             for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
         }
     };
     for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
+}
+
+void any_hits(const WideTree& tree, const RayColumns& rays, std::span<bool> hits,
+              const BatchOptions& options) {
+    check_hit_places(rays.count, hits.size());
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    const auto trace = [&](std::size_t begin, std::size_t end) {
+        if (is_plain(tree)) {
+            kernels.any_hits_in_columns(tree.view(), rays.part(begin, end - begin),
+                                        hits.data() + begin);
+        } else {
+            for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
+        }
+    };
+    for_each_piece(rays.count, piece_of(rays.count), options, trace);
 }
 
 }  // namespace boxwood

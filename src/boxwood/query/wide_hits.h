@@ -5,6 +5,7 @@
 #include <span>
 
 #include "boxwood/core/batch.h"
+#include "boxwood/query/ray_columns.h"
 #include "boxwood/query/rayf.h"
 #include "boxwood/query/wide_counts.h"
 #include "boxwood/query/wide_tree.h"
@@ -24,11 +25,16 @@ void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit) noexcept;
 bool any_hit(const WideTree& tree, const Rayf& ray) noexcept;
 
 /// The same for each ray, in order. Runs on all cores; the bits don't depend on that, nor on which
-/// rays stand side by side. A camera's rays are fastest in tiles of
-/// 256, in order. Throws InvalidInput when the sizes differ, and what BatchOptions says.
+/// rays stand side by side. A camera's rays are fastest in tiles of 256, in order. Throws
+/// InvalidInput when the sizes differ, and what BatchOptions says.
 void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hitf> hits,
                   const BatchOptions& options = {});
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits,
+              const BatchOptions& options = {});
+/// The same where the parts of rays and hits stand in arrays of their own.
+void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
+                  const BatchOptions& options = {});
+void any_hits(const WideTree& tree, const RayColumns& rays, std::span<bool> hits,
               const BatchOptions& options = {});
 
 /// The answers of closest_hit() and any_hit(), adding to the counts what the walk did. These have

@@ -16,6 +16,7 @@
 #include "boxwood/query/closest_point.h"
 #include "boxwood/query/hit_lists.h"
 #include "boxwood/query/overlaps.h"
+#include "boxwood/query/ray_columns.h"
 #include "boxwood/query/rayf.h"
 #include "boxwood/query/refit.h"
 #include "boxwood/query/traverse.h"
@@ -84,6 +85,11 @@ public:
     void closest_hits(std::span<const Rayf> rays, std::span<Hitf> hits,
                       const BatchOptions& options = {}) const;
     void any_hits(std::span<const Rayf> rays, std::span<bool> hits,
+                  const BatchOptions& options = {}) const;
+    /// The same where the parts of rays and hits stand in arrays of their own.
+    void closest_hits(const RayColumns& rays, const HitColumns& hits,
+                      const BatchOptions& options = {}) const;
+    void any_hits(const RayColumns& rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
 
     /// The places where the ray goes through the instances, with t in [ray.t_min, ray.t_max], in

@@ -17,14 +17,29 @@ namespace boxwood {
 constexpr std::size_t kMostStepsPerRay = 16;
 constexpr std::size_t kMostPasses = 15;
 
-/// Rays that have no more in common than that they are asked for together.
-template <class S>
-BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
-                                        std::size_t count) {
+/// Rays that have no more in common than that they are asked for together; rays and hits may be
+/// arrays or columns.
+template <class S, class Rays, class Hits>
+BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rays& rays,
+                                        const Hits& hits, std::size_t count) {
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
-        for (std::size_t i = 0; i < count; ++i) closest_hit<S>(tree, rays[i], hits[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            Hitf hit;
+            closest_hit<S>(tree, rays[i], hit);
+            put(hits, i, hit);
+        }
     } else {
-        Wavefront<S, false>(tree, rays, hits, count).run();
+        Wavefront<S, Rays, Hits>(tree, rays, hits, count).run();
+    }
+}
+
+template <class S, class Rays>
+BOXWOOD_KERNEL void any_hits_of_any(const WideTreeView& tree, const Rays& rays, bool* hits,
+                                    std::size_t count) {
+    if (count < kFewRays || tree.stack_size > kWavefrontStack) {
+        for (std::size_t i = 0; i < count; ++i) hits[i] = any_hit<S>(tree, rays[i]);
+    } else {
+        Wavefront<S, Rays, bool*>(tree, rays, hits, count).run();
     }
 }
 
@@ -72,11 +87,18 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
 
 template <class S>
 void any_hits(const WideTreeView& tree, const Rayf* rays, bool* hits, std::size_t count) noexcept {
-    if (count < kFewRays || tree.stack_size > kWavefrontStack) {
-        for (std::size_t i = 0; i < count; ++i) hits[i] = any_hit<S>(tree, rays[i]);
-    } else {
-        Wavefront<S, true>(tree, rays, hits, count).run();
-    }
+    any_hits_of_any<S>(tree, rays, hits, count);
+}
+
+template <class S>
+void closest_hits_in_columns(const WideTreeView& tree, const RayColumns& rays,
+                             const HitColumns& hits) noexcept {
+    closest_hits_of_any<S>(tree, rays, hits, rays.count);
+}
+
+template <class S>
+void any_hits_in_columns(const WideTreeView& tree, const RayColumns& rays, bool* hits) noexcept {
+    any_hits_of_any<S>(tree, rays, hits, rays.count);
 }
 
 }  // namespace boxwood

@@ -9,10 +9,16 @@ namespace boxwood {
 /// All kernels, for the instruction set of S. Only the source file that is compiled for it may ask.
 template <class S>
 constexpr RayKernels kernels_of() {
-    return {closest_hit<S>,        any_hit<S>,
-            closest_hits<S>,       any_hits<S>,
-            walk_candidates<S>,    walk_near_triangles<S>,
-            walk_overlaps<S>,      closest_hit<S, WideCounts>,
+    return {closest_hit<S>,
+            any_hit<S>,
+            closest_hits<S>,
+            any_hits<S>,
+            closest_hits_in_columns<S>,
+            any_hits_in_columns<S>,
+            walk_candidates<S>,
+            walk_near_triangles<S>,
+            walk_overlaps<S>,
+            closest_hit<S, WideCounts>,
             any_hit<S, WideCounts>};
 }
 

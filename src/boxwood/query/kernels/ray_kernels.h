@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "boxwood/core/simd.h"
+#include "boxwood/query/ray_columns.h"
 #include "boxwood/query/rayf.h"
 #include "boxwood/query/wide_counts.h"
 #include "boxwood/query/wide_node.h"
@@ -41,6 +42,10 @@ struct RayKernels {
                          std::size_t count) noexcept;
     void (*any_hits)(const WideTreeView& tree, const Rayf* rays, bool* hits,
                      std::size_t count) noexcept;
+    void (*closest_hits_in_columns)(const WideTreeView& tree, const RayColumns& rays,
+                                    const HitColumns& hits) noexcept;
+    void (*any_hits_in_columns)(const WideTreeView& tree, const RayColumns& rays,
+                                bool* hits) noexcept;
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
                             const CandidateVisitor& visitor) noexcept;
     /// Visits each triangle that may be the nearest to the point and no farther than

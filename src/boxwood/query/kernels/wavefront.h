@@ -15,6 +15,7 @@
 #include "boxwood/query/kernels/node_ray.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
+#include "boxwood/query/ray_columns.h"
 
 namespace boxwood {
 
@@ -36,13 +37,14 @@ struct WavefrontRay {
     alignas(64) float distances[kWavefrontStack + 2 * kStackSlack];
 };
 
-template <class S, bool kAnyHit>
+/// Rays are an array or columns of them; hits likewise, or whether there are any.
+template <class S, class Rays, class Results>
 class Wavefront {
 public:
     static constexpr int N = S::kWidth;
-    using Result = std::conditional_t<kAnyHit, bool, Hitf>;
+    static constexpr bool kAnyHit = std::is_same_v<Results, bool*>;
 
-    BOXWOOD_KERNEL Wavefront(const WideTreeView& tree, const Rayf* rays, Result* results,
+    BOXWOOD_KERNEL Wavefront(const WideTreeView& tree, const Rays& rays, const Results& results,
                              std::size_t count)
         : tree_(tree), rays_(rays), results_(results), count_(count) {}
 
@@ -132,15 +134,17 @@ private:
     BOXWOOD_KERNEL bool start_next(Slot& slot) {
         while (next_ < count_) {
             const std::size_t i = next_++;
-            if (!is_traceable<typename S::Quad>(rays_[i])) {
-                results_[i] = {};
+            const Rayf& ray = rays_[i];
+            if (!is_traceable<typename S::Quad>(ray)) {
+                put(results_, i, {});
                 continue;
             }
-            slot.setup.template set<typename S::Quad>(rays_[i], tree_);
+            fetch_place(results_, i);
+            slot.setup.template set<typename S::Quad>(ray, tree_);
             slot.current = 0;
             slot.size = N;
             slot.index = i;
-            slot.closest.t = rays_[i].t_max;
+            slot.closest.t = ray.t_max;
             slot.closest.triangle = Hitf::kNone;
             return true;
         }
@@ -148,11 +152,13 @@ private:
     }
 
     BOXWOOD_KERNEL void finish(const Slot& slot) {
+        Hitf hit;
         if constexpr (kAnyHit) {
-            results_[slot.index] = slot.closest.triangle != Hitf::kNone;
+            hit.triangle = slot.closest.triangle;
         } else {
-            slot.closest.write(tree_, results_[slot.index]);
+            slot.closest.write(tree_, hit);
         }
+        put(results_, slot.index, hit);
     }
 
     /// Drops what lies behind the closest hit from the top of the stack.
@@ -202,8 +208,8 @@ private:
     }
 
     const WideTreeView& tree_;
-    const Rayf* rays_;
-    Result* results_;
+    Rays rays_;
+    Results results_;
     std::size_t count_;
     std::size_t next_ = 0;
     Slot slots_[kRaysInFlight];

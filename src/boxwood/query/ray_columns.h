@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays and hits whose parts stand in arrays of their own, as numpy and Eigen keep them. Batches
+// read and write these where they are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "boxwood/core/simd.h"
+#include "boxwood/query/rayf.h"
+
+namespace boxwood {
+
+/// One or three floats for each ray, the next ray's so many floats on; 0 gives all rays the same.
+struct FloatColumn {
+    const float* first = nullptr;
+    std::ptrdiff_t step = 0;
+
+    BOXWOOD_KERNEL const float* operator[](std::size_t i) const {
+        return first + static_cast<std::ptrdiff_t>(i) * step;
+    }
+};
+
+/// So many rays, each as in Rayf.
+struct RayColumns {
+    std::size_t count = 0;
+    FloatColumn origin, direction;  ///< three floats each
+    FloatColumn t_min, t_max;
+
+    BOXWOOD_KERNEL Rayf operator[](std::size_t i) const {
+        const float *o = origin[i], *d = direction[i];
+        // Stored as the vectors that they are read as: else readers wait until memory has them.
+        using Float4 = float __attribute__((vector_size(16)));
+        const Float4 start = {o[0], o[1], o[2], *t_min[i]}, way = {d[0], d[1], d[2], *t_max[i]};
+        Rayf ray;
+        __builtin_memcpy(ray.origin, &start, sizeof start);
+        __builtin_memcpy(ray.direction, &way, sizeof way);
+        return ray;
+    }
+
+    RayColumns part(std::size_t begin, std::size_t size) const {
+        return {size,
+                {origin[begin], origin.step},
+                {direction[begin], direction.step},
+                {t_min[begin], t_min.step},
+                {t_max[begin], t_max.step}};
+    }
+};
+
+/// So many places for hits, each as in Hitf but for two things: the normal is of unit length, or 0
+/// where there is none; the instance of a ray that hits nothing is Hitf::kNone.
+struct HitColumns {
+    std::size_t count = 0;
+    float* t = nullptr;
+    std::uint32_t *triangle = nullptr, *instance = nullptr;
+    float* uv = nullptr;      ///< two for each hit
+    float* normal = nullptr;  ///< three
+
+    BOXWOOD_KERNEL void put(std::size_t i, const Hitf& hit) const {
+        t[i] = hit.t;
+        triangle[i] = hit.triangle;
+        instance[i] = hit.triangle == Hitf::kNone ? Hitf::kNone : hit.instance;
+        uv[2 * i] = hit.u;
+        uv[2 * i + 1] = hit.v;
+        // In double, where no square of a float is too large or too small.
+        const double x = hit.normal[0], y = hit.normal[1], z = hit.normal[2];
+        const double squared = x * x + y * y + z * z;
+        const double factor = squared > 0 ? 1 / __builtin_sqrt(squared) : 0;
+        normal[3 * i] = static_cast<float>(factor * x);
+        normal[3 * i + 1] = static_cast<float>(factor * y);
+        normal[3 * i + 2] = static_cast<float>(factor * z);
+    }
+
+    /// Asks for the memory of a place that will be written.
+    BOXWOOD_KERNEL void fetch(std::size_t i) const {
+        __builtin_prefetch(t + i, 1);
+        __builtin_prefetch(triangle + i, 1);
+        __builtin_prefetch(instance + i, 1);
+        __builtin_prefetch(uv + 2 * i, 1);
+        __builtin_prefetch(normal + 3 * i, 1);
+    }
+
+    HitColumns part(std::size_t begin, std::size_t size) const {
+        return {size,           t + begin,         triangle + begin, instance + begin,
+                uv + 2 * begin, normal + 3 * begin};
+    }
+};
+
+// A hit's place among many, whichever way these are kept.
+BOXWOOD_KERNEL void put(const HitColumns& hits, std::size_t i, const Hitf& hit) {
+    hits.put(i, hit);
+}
+BOXWOOD_KERNEL void put(Hitf* hits, std::size_t i, const Hitf& hit) { hits[i] = hit; }
+BOXWOOD_KERNEL void fetch_place(const HitColumns& hits, std::size_t i) { hits.fetch(i); }
+BOXWOOD_KERNEL void fetch_place(Hitf* hits, std::size_t i) { __builtin_prefetch(hits + i, 1); }
+BOXWOOD_KERNEL void fetch_place(bool*, std::size_t) {}
+BOXWOOD_KERNEL void put(bool* hits, std::size_t i, const Hitf& hit) {
+    hits[i] = hit.triangle != Hitf::kNone;
+}
+
+}  // namespace boxwood
