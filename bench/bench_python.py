@@ -150,7 +150,7 @@ def measure(
     best = dict.fromkeys(players, float("inf"))
     triangles = {}
     for k in range(passes):
-        # In another order each time: the threads of whoever came before may still be looking for work.
+        # In another order each time: the threads of who came before may still look for work.
         names = np.random.default_rng(k).permutation(list(runs))
         for name in names:
             seconds, result = runs[name]()
