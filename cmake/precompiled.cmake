@@ -2,8 +2,8 @@
 # includes that are missing, so lint goes without.
 option(BOXWOOD_PRECOMPILED_HEADERS "Parse the headers that all sources share once" ${PROJECT_IS_TOP_LEVEL})
 
-# boxwood_precompile(TARGET HEADER...), or boxwood_precompile(TARGET REUSE_FROM OTHER), which has to be
-# compiled by the same options.
+# boxwood_precompile(TARGET HEADER...), or boxwood_precompile(TARGET REUSE_FROM OTHER). The options that
+# matter to the headers have to be the same for both: those of the language and the machine, not -O.
 function(boxwood_precompile target)
     if(BOXWOOD_PRECOMPILED_HEADERS)
         if("${ARGV1}" STREQUAL "REUSE_FROM")

@@ -23,8 +23,8 @@ public:
     Watch(std::size_t total, nanobind::handle progress)
         : total_(total), progress_(progress), caller_(std::this_thread::get_id()) {}
 
-    /// How a batch of so many of the things runs; they are counted as it goes. It throws, on the
-    /// thread that called alone, what Python has to say; the work that is left then is cancelled.
+    /// How a batch of so many of the things runs; they are counted as it goes. It throws what
+    /// Python has to say; the work that is left then is cancelled.
     BatchOptions options(std::size_t count) {
         const auto report = [this, count, before = done_.load()](double part) {
             done_ = before + static_cast<std::size_t>(part * static_cast<double>(count));

@@ -225,6 +225,31 @@ def test_all_kinds_of_arrays_are_taken(scene, ball, kind, dtype):
 
 
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "lists"])
+def test_many_rays_are_read_from_all_kinds_of_arrays(scene, kind):
+    make = getattr(Arrays, kind)
+    rng = np.random.default_rng(1)
+    camera = bw.PinholeCamera([3, 0, 0], [0, 0, 0], width=100, height=90).rays()
+    many = rng.uniform(-2, 2, (2, 700, 3)).astype(np.float32)
+    # Of no camera, many from each of a few points, and row by row.
+    for origins, directions in (
+        many,
+        (many[0, :3].repeat(240, 0)[:700], many[1]),
+        (np.broadcast_to(camera[0], (9000, 3)), camera[1].reshape(-1, 3)),
+    ):
+        origins, directions = np.float32(origins), np.float32(directions)
+        t_max = rng.uniform(0, 3, len(origins)).astype(np.float32)
+        expected = scene.closest_hit(origins, directions, t_max=t_max)
+        assert 0 < expected.hit.sum() < len(origins)
+        hits = scene.closest_hit(make(origins), make(directions), t_max=t_max[::-1][::-1])
+        for name in ("t", "triangle", "instance", "uv", "normal"):
+            np.testing.assert_array_equal(getattr(hits, name), getattr(expected, name))
+        found = scene.any_hit(make(origins), make(directions), t_max=t_max)
+        np.testing.assert_array_equal(found, expected.hit)
+        alone = scene.closest_hit(origins[5], directions[5], t_max=t_max[5])
+        assert alone.t == expected.t[5] and alone.triangle == expected.triangle[5]
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "lists"])
 @pytest.mark.parametrize("dtype", [np.int32, np.uint32, np.int64, np.uint64, np.int16])
 def test_all_kinds_of_integers_are_taken(ball, kind, dtype):
     faces = getattr(Arrays, kind)(ball.faces.astype(dtype))

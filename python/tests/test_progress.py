@@ -26,6 +26,9 @@ def work(scene, n=40_000):
         "closest_hit in float": lambda **p: scene.closest_hit(
             np.float32(origins), np.float32(directions), **p
         ),
+        "any_hit in float": lambda **p: scene.any_hit(
+            np.float32(origins), np.float32(directions), **p
+        ),
         "any_hit": lambda **p: scene.any_hit(origins, directions, **p),
         "all_hits": lambda **p: scene.all_hits(origins, directions, **p),
         "count_hits": lambda **p: scene.count_hits(origins, directions, **p),

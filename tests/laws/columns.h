@@ -56,6 +56,11 @@ public:
             const long double x = hit.normal[0], y = hit.normal[1], z = hit.normal[2];
             const long double length = std::sqrt(x * x + y * y + z * z);
             const float* const n = found.normal + 3 * i;
+            if (!hit.is_hit()) {
+                if (n[0] != 0 || n[1] != 0 || n[2] != 0)
+                    return testing::AssertionFailure() << "a normal of ray " << i << ", a miss";
+                continue;
+            }
             if (!(length > 1e-30L && std::isfinite(length))) {
                 // An area beyond float tells nothing of the direction.
                 const float found_length = std::hypot(n[0], n[1], n[2]);
@@ -64,8 +69,7 @@ public:
                 continue;
             }
             for (std::size_t k = 0; k < 3; ++k) {
-                const long double wanted = length > 0 ? hit.normal[k] / length : 0;
-                if (!(std::fabs(n[k] - wanted) <= 1e-7L))
+                if (!(std::fabs(n[k] - hit.normal[k] / length) <= 1e-7L))
                     return testing::AssertionFailure() << "the normal of ray " << i;
             }
         }

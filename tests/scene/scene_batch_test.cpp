@@ -13,6 +13,7 @@
 #include "boxwood/scene/scene.h"
 #include "boxwood/scene/scene_sign.h"
 #include "laws/columns.h"
+#include "laws/float_hits.h"
 #include "laws/hits.h"
 #include "laws/ray_families.h"
 
@@ -95,6 +96,29 @@ TEST(SceneBatch, can_be_watched_and_cancelled) {
                                   .cancellation = &cancellation};
     EXPECT_THROW(scene.closest_hits(rays, hits, options), Cancelled);
     EXPECT_THROW(any_hits(scene, rays, options), Cancelled);
+}
+
+/// One mesh is asked by kernels for float, two by way of double.
+TEST(SceneBatch, columns_can_be_watched_and_cancelled) {
+    const TriangleMesh mesh = generate_icosphere(100);
+    for (const std::size_t meshes : {1, 2}) {
+        const Scene scene(std::vector<SceneMesh>(meshes, SceneMesh(mesh)));
+        std::vector<Rayf> rays;
+        for (const Ray& ray : some_rays(mesh, 100'000)) rays.push_back(in_float(ray));
+        Columns columns(rays);
+        std::vector<double> parts;
+        const BatchOptions watched = {.progress = [&](double part) { parts.push_back(part); }};
+        scene.closest_hits(columns.rays(), columns.hits(), watched);
+        EXPECT_GT(parts.size(), 1u);
+        EXPECT_EQ(parts.back(), 1);
+        EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+
+        Cancellation cancellation;
+        const BatchOptions options = {.progress = [&](double) { cancellation.request(); },
+                                      .cancellation = &cancellation};
+        EXPECT_THROW(scene.closest_hits(columns.rays(), columns.hits(), options), Cancelled);
+        EXPECT_THROW(scene.any_hits(columns.rays(), columns.any(), options), Cancelled);
+    }
 }
 
 /// By kernels for float where there is one mesh, by way of double where there are two.

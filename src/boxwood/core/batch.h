@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <thread>
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
@@ -28,8 +29,8 @@ private:
 /// How a long piece of work runs, and how it is watched.
 struct BatchOptions {
     /// Called now and then, about a thousand times at the most, with the part that is done:
-    /// growing, at last 1, from any thread but one at a time. It may run batches of its own. What
-    /// it throws ends the work and is thrown by it.
+    /// growing, at last 1, on the thread that called. It may run batches of its own. What it throws
+    /// ends the work and is thrown by it.
     std::function<void(double)> progress = {};
     /// Looked at now and then; once it is requested, the work stops and throws Cancelled. It must
     /// outlive the work.
@@ -39,25 +40,20 @@ struct BatchOptions {
     bool on_this_thread = false;
 };
 
-/// Tells how far work has come. No worker waits for another one's report.
+/// Tells, on the thread that it was made on, how far work has come. No worker waits for that.
 class ProgressReport {
 public:
     ProgressReport(std::size_t total, const std::function<void(double)>& progress)
         : total_(total), progress_(progress) {}
 
+    /// From any thread: so much more is done.
     void add(std::size_t count) {
         if (!progress_) return;
         done_.fetch_add(count);
-        if (is_reporting_.test_and_set()) return;
-        struct Release {
-            std::atomic_flag& flag;
-            ~Release() { flag.clear(); }
-        } const release{is_reporting_};
-        report();
+        if (std::this_thread::get_id() == reporter_) report();
     }
 
-    /// The last report, which add() may have left to another thread. Precondition: all is added,
-    /// and all of that has happened.
+    /// The last report. Precondition: all is added, and all of that has happened.
     void finish() {
         if (progress_) report();
     }
@@ -73,8 +69,8 @@ private:
 
     std::size_t total_;
     const std::function<void(double)>& progress_;
+    std::thread::id reporter_ = std::this_thread::get_id();
     std::atomic<std::size_t> done_ = 0;
-    std::atomic_flag is_reporting_ = ATOMIC_FLAG_INIT;
     std::size_t next_ = 1;  ///< to report at
 };
 

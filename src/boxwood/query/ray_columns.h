@@ -21,7 +21,7 @@ struct FloatColumn {
     }
 };
 
-/// So many rays, each as in Rayf.
+/// So many rays, each as in Rayf. Precondition of all that takes them: no column is null.
 struct RayColumns {
     std::size_t count = 0;
     FloatColumn origin, direction;  ///< three floats each
@@ -31,10 +31,12 @@ struct RayColumns {
         const float *o = origin[i], *d = direction[i];
         // Stored as the vectors that they are read as: else readers wait until memory has them.
         using Float4 = float __attribute__((vector_size(16)));
-        const Float4 start = {o[0], o[1], o[2], *t_min[i]}, way = {d[0], d[1], d[2], *t_max[i]};
-        Rayf ray;
-        __builtin_memcpy(ray.origin, &start, sizeof start);
-        __builtin_memcpy(ray.direction, &way, sizeof way);
+        const Float4 origin_and_t_min = {o[0], o[1], o[2], *t_min[i]},
+                     direction_and_t_max = {d[0], d[1], d[2], *t_max[i]};
+        Rayf ray = {};
+        static_assert(offsetof(Rayf, t_min) == 12 && offsetof(Rayf, t_max) == 28);
+        __builtin_memcpy(ray.origin, &origin_and_t_min, sizeof origin_and_t_min);
+        __builtin_memcpy(ray.direction, &direction_and_t_max, sizeof direction_and_t_max);
         return ray;
     }
 
@@ -48,7 +50,8 @@ struct RayColumns {
 };
 
 /// So many places for hits, each as in Hitf but for two things: the normal is of unit length, or 0
-/// where there is none; the instance of a ray that hits nothing is Hitf::kNone.
+/// where there is none; the instance of a ray that hits nothing is Hitf::kNone. Precondition of all
+/// that takes them: no column is null, and none overlaps another or the rays.
 struct HitColumns {
     std::size_t count = 0;
     float* t = nullptr;
@@ -85,17 +88,5 @@ struct HitColumns {
                 uv + 2 * begin, normal + 3 * begin};
     }
 };
-
-// A hit's place among many, whichever way these are kept.
-BOXWOOD_KERNEL void put(const HitColumns& hits, std::size_t i, const Hitf& hit) {
-    hits.put(i, hit);
-}
-BOXWOOD_KERNEL void put(Hitf* hits, std::size_t i, const Hitf& hit) { hits[i] = hit; }
-BOXWOOD_KERNEL void fetch_place(const HitColumns& hits, std::size_t i) { hits.fetch(i); }
-BOXWOOD_KERNEL void fetch_place(Hitf* hits, std::size_t i) { __builtin_prefetch(hits + i, 1); }
-BOXWOOD_KERNEL void fetch_place(bool*, std::size_t) {}
-BOXWOOD_KERNEL void put(bool* hits, std::size_t i, const Hitf& hit) {
-    hits[i] = hit.triangle != Hitf::kNone;
-}
 
 }  // namespace boxwood

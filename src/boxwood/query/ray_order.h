@@ -64,7 +64,7 @@ struct RayPlace {
     std::uint32_t in_batch, in_piece;
 };
 
-/// The order, piece by piece.
+/// The order: tile by tile of rows, piece by piece.
 class RayOrder {
 public:
     static constexpr std::size_t kPiece = 4096;            ///< rays of a piece
@@ -77,27 +77,22 @@ public:
         bool operator==(const Shape&) const = default;
     };
 
-    /// Tile by tile of rows of that length; as they are, where it is 0.
-    RayOrder(std::size_t count, std::size_t row_length) : count_(count), row_length_(row_length) {
-        if (row_length > 0) {
-            const std::size_t rows = (count + row_length - 1) / row_length;
-            pieces_per_row_ = (row_length + kWidth - 1) / kWidth;
-            pieces_ = pieces_per_row_ * ((rows + kTile - 1) / kTile);
-        } else {
-            pieces_ = (count + kPiece - 1) / kPiece;
-        }
-    }
+    /// Precondition: row_length > 0.
+    RayOrder(std::size_t count, std::size_t row_length)
+        : count_(count),
+          row_length_(row_length),
+          pieces_per_row_((row_length + kWidth - 1) / kWidth) {}
 
-    std::size_t pieces() const { return pieces_; }
+    std::size_t pieces() const {
+        const std::size_t rows = (count_ + row_length_ - 1) / row_length_;
+        return pieces_per_row_ * ((rows + kTile - 1) / kTile);
+    }
     /// The first ray of a piece.
     std::size_t first(std::size_t piece) const {
-        if (row_length_ == 0) return piece * kPiece;
         return piece / pieces_per_row_ * kTile * row_length_ + piece % pieces_per_row_ * kWidth;
     }
-    /// A width of 0 where rays are taken as they are.
     Shape shape(std::size_t piece) const {
         const std::size_t begin = first(piece);
-        if (row_length_ == 0) return {0, 0, std::min(kPiece, count_ - begin)};
         const std::size_t left = begin % row_length_;
         Shape shape = {row_length_, std::min(kWidth, row_length_ - left), 0};
         for (std::size_t y = 0; y < kTile; ++y) {
@@ -108,7 +103,7 @@ public:
     }
 
     /// Writes the places of a piece's rays. They come in the order in which they stand in the
-    /// batch, so that memory is read as it lies. Precondition: shape.width > 0.
+    /// batch, so that memory is read as it lies.
     static void write_places(const Shape& shape, std::vector<RayPlace>& places) {
         const std::size_t rows = shape.size / shape.width, rest = shape.size % shape.width;
         const auto width_of = [&](std::size_t y) {
@@ -138,7 +133,7 @@ private:
         return (code & 1) | (code >> 1 & 2) | (code >> 2 & 4) | (code >> 3 & 8);
     }
 
-    std::size_t count_, row_length_, pieces_per_row_ = 1, pieces_;
+    std::size_t count_, row_length_, pieces_per_row_;
 };
 
 /// The rays and hits of a piece. One serves many pieces, so that memory is asked for once, and most
@@ -151,10 +146,9 @@ struct RayPiece {
     void take(const RayOrder& order, std::size_t piece, const RayAt& ray_at) {
         first_ = order.first(piece);
         const RayOrder::Shape shape = order.shape(piece);
-        is_tiled_ = shape.width > 0;
         is_whole_ = shape.width == RayOrder::kWidth;
         Tiles& tiles = tiles_[is_whole_];
-        if (is_tiled_ && tiles.shape != shape) {
+        if (tiles.shape != shape) {
             tiles.shape = shape;
             RayOrder::write_places(shape, tiles.places);
         }
@@ -167,12 +161,8 @@ struct RayPiece {
     /// Calls visit(place in the batch, place in the piece) for each ray.
     template <class Visit>
     void for_each(const Visit& visit) const {
-        if (is_tiled_) {
-            for (const RayPlace& place : tiles_[is_whole_].places)
-                visit(first_ + place.in_batch, place.in_piece);
-        } else {
-            for (std::size_t i = 0; i < rays.size(); ++i) visit(first_ + i, i);
-        }
+        for (const RayPlace& place : tiles_[is_whole_].places)
+            visit(first_ + place.in_batch, place.in_piece);
     }
 
 private:
@@ -183,7 +173,7 @@ private:
 
     std::size_t first_ = 0;
     Tiles tiles_[2];
-    bool is_tiled_ = false, is_whole_ = false;
+    bool is_whole_ = false;
 };
 
 }  // namespace boxwood

@@ -8,11 +8,14 @@
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_kernels.h"
+#include "boxwood/query/put_hit.h"
 #include "boxwood/query/ray_order.h"
 
 namespace boxwood {
 
 namespace {
+
+constexpr std::size_t kGroup = 256;  ///< rays that a frustum takes at the most
 
 /// Whether kernels for many rays take the tree as it is.
 bool is_plain(const WideTree& tree) { return tree.scale() == 1 && !tree.is_empty(); }
@@ -20,7 +23,7 @@ bool is_plain(const WideTree& tree) { return tree.scale() == 1 && !tree.is_empty
 /// Rays of one task, where they are taken as they are: whole groups of rays, so that a camera's
 /// tiles stay together; enough for a wavefront to run long, few enough to share out evenly.
 std::size_t piece_of(std::size_t count) {
-    constexpr std::size_t kGroup = 256, kLeast = 8 * kGroup, kMost = 64 * kGroup;
+    constexpr std::size_t kLeast = 8 * kGroup, kMost = 64 * kGroup;
     constexpr std::size_t kTurns = 8;  ///< of each thread
     const std::size_t even = count / (kTurns * thread_count()) / kGroup * kGroup;
     return std::clamp(even, kLeast, kMost);
@@ -51,17 +54,6 @@ void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
     }
 }
 
-/// Those of one piece of many rays, by way of an array.
-template <class Rays, class Hits>
-void trace_piece(const WideTree& tree, const Rays& rays, const Hits& hits, const RayOrder& order,
-                 std::size_t i, RayPiece& piece) {
-    piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
-    trace(tree, piece.rays, piece.hits.data());
-    piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
-        put(hits, in_batch, piece.hits[in_piece]);
-    });
-}
-
 using Pieces = tbb::enumerable_thread_specific<RayPiece>;
 
 /// Those of a camera, in tiles of its rows; false where rays come in no rows.
@@ -73,12 +65,17 @@ bool trace_tiles(const WideTree& tree, const Rays& rays, const Hits& hits, std::
     const RayOrder order(count, row);
     Pieces pieces;
     for_each_piece(order.pieces(), 1, options, [&](std::size_t i, std::size_t) {
-        trace_piece(tree, rays, hits, order, i, pieces.local());
+        RayPiece& piece = pieces.local();
+        piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
+        trace(tree, piece.rays, piece.hits.data());
+        piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
+            put_hit(hits, in_batch, piece.hits[in_piece]);
+        });
     });
     return true;
 }
 
-/// The closest hit with a normal of any length, which isn't too large for a float then.
+/// The closest hit, its normal in the scale of the tree: in that of the mesh it may not fit floats.
 Hitf hit_on_scaled(const WideTree& tree, const Rayf& ray) {
     Hitf hit;
     if (tree.is_empty()) return hit;
@@ -88,20 +85,45 @@ Hitf hit_on_scaled(const WideTree& tree, const Rayf& ray) {
     return hit;
 }
 
-/// Some rays in columns, on this thread. Those that start at one point are better off in an array.
-void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits, Pieces& pieces) {
+/// By way of an array, so that frusta take those rays that start at one point.
+void trace_in_array(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
+                    RayPiece& piece) {
+    for (std::size_t begin = 0; begin < rays.count; begin += RayOrder::kPiece) {
+        const std::size_t size = std::min(RayOrder::kPiece, rays.count - begin);
+        piece.rays.resize(size);
+        piece.hits.resize(size);
+        for (std::size_t i = 0; i < size; ++i) piece.rays[i] = rays[begin + i];
+        trace(tree, piece.rays, piece.hits.data());
+        for (std::size_t i = 0; i < size; ++i) put_hit(hits, begin + i, piece.hits[i]);
+    }
+}
+
+/// Some rays in columns, on this thread.
+void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits, RayPiece& piece) {
     if (!is_plain(tree)) {
-        for (std::size_t i = 0; i < rays.count; ++i) put(hits, i, hit_on_scaled(tree, rays[i]));
+        for (std::size_t i = 0; i < rays.count; ++i) put_hit(hits, i, hit_on_scaled(tree, rays[i]));
         return;
     }
-    const Rayf first = rays[0], last = rays[rays.count - 1];
-    if (!std::equal(first.origin, first.origin + 3, last.origin)) {
-        const RayKernels& kernels = ray_kernels(tree.instruction_set());
-        return kernels.closest_hits_in_columns(tree.view(), rays, hits);
+    // Runs of groups that frusta may take, and of others, which are traced where they are.
+    const auto end_of_group = [&](std::size_t begin) {
+        return std::min(begin + kGroup, rays.count);
+    };
+    const auto start_together = [&](std::size_t begin) {
+        const float *first = rays.origin[begin], *last = rays.origin[end_of_group(begin) - 1];
+        return std::equal(first, first + 3, last);
+    };
+    for (std::size_t begin = 0, end = 0; begin < rays.count; begin = end) {
+        const bool together = start_together(begin);
+        do end = end_of_group(end);
+        while (end < rays.count && start_together(end) == together);
+        const RayColumns some = rays.part(begin, end - begin);
+        const HitColumns places = hits.part(begin, end - begin);
+        if (together) {
+            trace_in_array(tree, some, places, piece);
+        } else {
+            ray_kernels(tree.instruction_set()).closest_hits_in_columns(tree.view(), some, places);
+        }
     }
-    const RayOrder order(rays.count, 0);
-    for (std::size_t i = 0; i < order.pieces(); ++i)
-        trace_piece(tree, rays, hits, order, i, pieces.local());
 }
 
 }  // namespace
@@ -165,7 +187,7 @@ void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns
     for_each_piece(rays.count, piece_of(rays.count), options,
                    [&](std::size_t begin, std::size_t end) {
                        const std::size_t size = end - begin;
-                       trace(tree, rays.part(begin, size), hits.part(begin, size), pieces);
+                       trace(tree, rays.part(begin, size), hits.part(begin, size), pieces.local());
                    });
 }
 

@@ -31,7 +31,8 @@ void closest_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<Hi
                   const BatchOptions& options = {});
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits,
               const BatchOptions& options = {});
-/// The same where the parts of rays and hits stand in arrays of their own.
+/// The same where the parts of rays and hits stand in arrays of their own, but for what HitColumns
+/// says.
 void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
                   const BatchOptions& options = {});
 void any_hits(const WideTree& tree, const RayColumns& rays, std::span<bool> hits,

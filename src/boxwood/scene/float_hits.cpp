@@ -7,6 +7,7 @@
 #include "boxwood/core/simd_scalar.h"
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_setup.h"
+#include "boxwood/query/put_hit.h"
 #include "boxwood/query/wide_hits.h"
 #include "boxwood/scene/scene.h"
 
@@ -87,7 +88,7 @@ void Scene::closest_hits(const RayColumns& rays, const HitColumns& hits,
     check_hit_places(rays.count, hits.count);
     const auto normal_of = [&](TriangleId id) { return geometric_normal(id); };
     for_each_ray(rays.count, options, [&](std::size_t i) {
-        put(hits, i, closest_by_double(*this, rays[i], normal_of));
+        put_hit(hits, i, closest_by_double(*this, rays[i], normal_of));
     });
 }
 

@@ -86,7 +86,8 @@ public:
                       const BatchOptions& options = {}) const;
     void any_hits(std::span<const Rayf> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
-    /// The same where the parts of rays and hits stand in arrays of their own.
+    /// The same where the parts of rays and hits stand in arrays of their own, but for what
+    /// HitColumns says.
     void closest_hits(const RayColumns& rays, const HitColumns& hits,
                       const BatchOptions& options = {}) const;
     void any_hits(const RayColumns& rays, std::span<bool> hits,

@@ -9,6 +9,7 @@
 #include "boxwood/query/kernels/frustum.h"
 #include "boxwood/query/kernels/overlaps.h"
 #include "boxwood/query/kernels/wavefront.h"
+#include "boxwood/query/put_hit.h"
 
 namespace boxwood {
 
@@ -24,9 +25,9 @@ BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rays& ra
                                         const Hits& hits, std::size_t count) {
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
         for (std::size_t i = 0; i < count; ++i) {
-            Hitf hit;
+            Hitf hit = {};
             closest_hit<S>(tree, rays[i], hit);
-            put(hits, i, hit);
+            put_hit(hits, i, hit);
         }
     } else {
         Wavefront<S, Rays, Hits>(tree, rays, hits, count).run();

@@ -15,7 +15,7 @@
 #include "boxwood/query/kernels/node_ray.h"
 #include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
-#include "boxwood/query/ray_columns.h"
+#include "boxwood/query/put_hit.h"
 
 namespace boxwood {
 
@@ -136,7 +136,7 @@ private:
             const std::size_t i = next_++;
             const Rayf& ray = rays_[i];
             if (!is_traceable<typename S::Quad>(ray)) {
-                put(results_, i, {});
+                put_hit(results_, i, {});
                 continue;
             }
             fetch_place(results_, i);
@@ -152,13 +152,13 @@ private:
     }
 
     BOXWOOD_KERNEL void finish(const Slot& slot) {
-        Hitf hit;
+        Hitf hit = {};
         if constexpr (kAnyHit) {
             hit.triangle = slot.closest.triangle;
         } else {
             slot.closest.write(tree_, hit);
         }
-        put(results_, slot.index, hit);
+        put_hit(results_, slot.index, hit);
     }
 
     /// Drops what lies behind the closest hit from the top of the stack.
