@@ -3,11 +3,9 @@
 
 #include <nanobind/nanobind.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <exception>
-#include <thread>
 
 #include "boxwood/core/batch.h"
 #include "unlocked.h"
@@ -20,13 +18,12 @@ namespace boxwood::python {
 class Watch {
 public:
     /// `progress` is None or takes the part that is done, from 0 to 1; of work on so many things.
-    Watch(std::size_t total, nanobind::handle progress)
-        : total_(total), progress_(progress), caller_(std::this_thread::get_id()) {}
+    Watch(std::size_t total, nanobind::handle progress) : total_(total), progress_(progress) {}
 
     /// How a batch of so many of the things runs; they are counted as it goes. It throws what
     /// Python has to say; the work that is left then is cancelled.
     BatchOptions options(std::size_t count) {
-        const auto report = [this, count, before = done_.load()](double part) {
+        const auto report = [this, count, before = done_](double part) {
             done_ = before + static_cast<std::size_t>(part * static_cast<double>(count));
             look_now_and_then();
         };
@@ -36,12 +33,7 @@ public:
     /// Calls body(begin, end) for pieces of all that there is, on all cores.
     template <class Body>
     void for_each_piece(std::size_t piece, const Body& body) {
-        const BatchOptions options = {.cancellation = &cancellation_};
-        boxwood::for_each_piece(total_, piece, options, [&](std::size_t begin, std::size_t end) {
-            body(begin, end);
-            done_.fetch_add(end - begin, std::memory_order_relaxed);
-            look_now_and_then();
-        });
+        boxwood::for_each_piece(total_, piece, options(total_), body);
     }
 
     /// The last report. To be called on the thread that called, when all is done.
@@ -57,7 +49,6 @@ private:
 
     void look_now_and_then() {
         constexpr auto kBetweenLooks = std::chrono::milliseconds(50);
-        if (std::this_thread::get_id() != caller_) return;
         const auto now = Clock::now();
         if (now - last_look_ < kBetweenLooks) return;
         last_look_ = now;
@@ -69,7 +60,7 @@ private:
         try {
             if (PyErr_CheckSignals() != 0) throw nanobind::python_error();
             if (!progress_.is_none())
-                progress_(total_ > 0 ? static_cast<double>(done_.load()) / total_ : 1.0);
+                progress_(total_ > 0 ? static_cast<double>(done_) / total_ : 1.0);
         } catch (...) {
             failure_ = std::current_exception();
             cancellation_.request();
@@ -79,10 +70,9 @@ private:
 
     std::size_t total_;
     nanobind::handle progress_;
-    std::thread::id caller_;
     Cancellation cancellation_;
     std::exception_ptr failure_;
-    std::atomic<std::size_t> done_ = 0;
+    std::size_t done_ = 0;
     Clock::time_point last_look_ = Clock::now();
 };
 

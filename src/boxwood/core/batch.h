@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <thread>
@@ -28,9 +29,9 @@ private:
 
 /// How a long piece of work runs, and how it is watched.
 struct BatchOptions {
-    /// Called now and then, about a thousand times at the most, with the part that is done:
-    /// growing, at last 1, on the thread that called. It may run batches of its own. What it throws
-    /// ends the work and is thrown by it.
+    /// Called now and then, about a thousand times at the most or twenty times a second where that
+    /// is more, with the part that is done: growing, at last 1, on the thread that called. It may
+    /// run batches of its own. What it throws ends the work and is thrown by it.
     std::function<void(double)> progress = {};
     /// Looked at now and then; once it is requested, the work stops and throws Cancelled. It must
     /// outlive the work.
@@ -59,10 +60,16 @@ public:
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     void report() {
         constexpr std::size_t kMostReports = 1000;
+        constexpr auto kLongest = std::chrono::milliseconds(50);  ///< between reports
         const std::size_t done = done_.load();
-        if (done < next_) return;
+        const auto now = Clock::now();
+        if (done < next_ && (done <= reported_ || now - last_report_ < kLongest)) return;
+        reported_ = done;
+        last_report_ = now;
         next_ = done < total_ ? std::min(done + total_ / kMostReports + 1, total_) : total_ + 1;
         progress_(static_cast<double>(done) / static_cast<double>(total_));
     }
@@ -71,7 +78,8 @@ private:
     const std::function<void(double)>& progress_;
     std::thread::id reporter_ = std::this_thread::get_id();
     std::atomic<std::size_t> done_ = 0;
-    std::size_t next_ = 1;  ///< to report at
+    std::size_t reported_ = 0, next_ = 1;  ///< to report at
+    Clock::time_point last_report_ = Clock::now();
 };
 
 /// Calls body(begin, end) for pieces of [0, count), each of the given size but the last, on all

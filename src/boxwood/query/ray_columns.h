@@ -59,30 +59,6 @@ struct HitColumns {
     float* uv = nullptr;      ///< two for each hit
     float* normal = nullptr;  ///< three
 
-    BOXWOOD_KERNEL void put(std::size_t i, const Hitf& hit) const {
-        t[i] = hit.t;
-        triangle[i] = hit.triangle;
-        instance[i] = hit.triangle == Hitf::kNone ? Hitf::kNone : hit.instance;
-        uv[2 * i] = hit.u;
-        uv[2 * i + 1] = hit.v;
-        // In double, where no square of a float is too large or too small.
-        const double x = hit.normal[0], y = hit.normal[1], z = hit.normal[2];
-        const double squared = x * x + y * y + z * z;
-        const double factor = squared > 0 ? 1 / __builtin_sqrt(squared) : 0;
-        normal[3 * i] = static_cast<float>(factor * x);
-        normal[3 * i + 1] = static_cast<float>(factor * y);
-        normal[3 * i + 2] = static_cast<float>(factor * z);
-    }
-
-    /// Asks for the memory of a place that will be written.
-    BOXWOOD_KERNEL void fetch(std::size_t i) const {
-        __builtin_prefetch(t + i, 1);
-        __builtin_prefetch(triangle + i, 1);
-        __builtin_prefetch(instance + i, 1);
-        __builtin_prefetch(uv + 2 * i, 1);
-        __builtin_prefetch(normal + 3 * i, 1);
-    }
-
     HitColumns part(std::size_t begin, std::size_t size) const {
         return {size,           t + begin,         triangle + begin, instance + begin,
                 uv + 2 * begin, normal + 3 * begin};

@@ -25,7 +25,7 @@ struct Hitf {
     float t = std::numeric_limits<float>::infinity();
     float u = 0, v = 0;
     std::uint32_t triangle = kNone;
-    float normal[3] = {0, 0, 0};  ///< (b - a) x (c - a), not of unit length
+    float normal[3] = {0, 0, 0};  ///< (b - a) x (c - a), infinite or 0 beyond floats
     std::uint32_t instance = 0;   ///< of a scene
 
     bool is_hit() const { return triangle != kNone; }

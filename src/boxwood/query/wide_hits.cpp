@@ -36,11 +36,9 @@ Rayf scaled(Rayf ray, float scale) {
     return ray;
 }
 
-/// Back from the scale of the tree.
-void unscale(Hitf& hit, float scale) {
-    if (!hit.is_hit()) return;
+/// The normal, back from the scale of the tree.
+void unscale_normal(Hitf& hit, float scale) {
     const float inverse = 1 / scale;
-    hit.t *= inverse;
     for (float& coordinate : hit.normal) coordinate = coordinate * inverse * inverse;
 }
 
@@ -126,6 +124,18 @@ void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
     }
 }
 
+/// Whether each ray hits anything; ask(kernels, begin, size) asks kernels for some of them.
+template <class Rays, class Ask>
+void ask_any(const WideTree& tree, const Rays& rays, std::size_t count, std::span<bool> hits,
+             const BatchOptions& options, const Ask& ask) {
+    check_hit_places(count, hits.size());
+    const RayKernels& kernels = ray_kernels(tree.instruction_set());
+    for_each_piece(count, piece_of(count), options, [&](std::size_t begin, std::size_t end) {
+        if (is_plain(tree)) return ask(kernels, begin, end - begin);
+        for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
+    });
+}
+
 }  // namespace
 
 std::optional<Hitf> closest_hit(const WideTree& tree, const Rayf& ray) noexcept {
@@ -142,8 +152,8 @@ void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit) noexcept {
     }
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     if (tree.scale() == 1) return kernels.closest_hit(tree.view(), ray, hit);
-    kernels.closest_hit(tree.view(), scaled(ray, tree.scale()), hit);
-    unscale(hit, tree.scale());
+    hit = hit_on_scaled(tree, ray);
+    unscale_normal(hit, tree.scale());
 }
 
 bool any_hit(const WideTree& tree, const Rayf& ray) noexcept {
@@ -160,7 +170,8 @@ void closest_hit(const WideTree& tree, const Rayf& ray, Hitf& hit, WideCounts& c
     }
     const RayKernels& kernels = ray_kernels(tree.instruction_set());
     kernels.closest_hit_counted(tree.view(), scaled(ray, tree.scale()), hit, counts);
-    unscale(hit, tree.scale());
+    hit.t *= 1 / tree.scale();
+    unscale_normal(hit, tree.scale());
 }
 
 bool any_hit(const WideTree& tree, const Rayf& ray, WideCounts& counts) noexcept {
@@ -193,31 +204,18 @@ void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns
 
 void any_hits(const WideTree& tree, std::span<const Rayf> rays, std::span<bool> hits,
               const BatchOptions& options) {
-    check_hit_places(rays.size(), hits.size());
-    const RayKernels& kernels = ray_kernels(tree.instruction_set());
-    const auto trace = [&](std::size_t begin, std::size_t end) {
-        if (is_plain(tree)) {
-            kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, end - begin);
-        } else {
-            for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
-        }
+    const auto ask = [&](const RayKernels& kernels, std::size_t begin, std::size_t size) {
+        kernels.any_hits(tree.view(), rays.data() + begin, hits.data() + begin, size);
     };
-    for_each_piece(rays.size(), piece_of(rays.size()), options, trace);
+    ask_any(tree, rays, rays.size(), hits, options, ask);
 }
 
 void any_hits(const WideTree& tree, const RayColumns& rays, std::span<bool> hits,
               const BatchOptions& options) {
-    check_hit_places(rays.count, hits.size());
-    const RayKernels& kernels = ray_kernels(tree.instruction_set());
-    const auto trace = [&](std::size_t begin, std::size_t end) {
-        if (is_plain(tree)) {
-            kernels.any_hits_in_columns(tree.view(), rays.part(begin, end - begin),
-                                        hits.data() + begin);
-        } else {
-            for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(tree, rays[i]);
-        }
+    const auto ask = [&](const RayKernels& kernels, std::size_t begin, std::size_t size) {
+        kernels.any_hits_in_columns(tree.view(), rays.part(begin, size), hits.data() + begin);
     };
-    for_each_piece(rays.count, piece_of(rays.count), options, trace);
+    ask_any(tree, rays, rays.count, hits, options, ask);
 }
 
 }  // namespace boxwood
