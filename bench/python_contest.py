@@ -58,10 +58,14 @@ def conclude(
 
 def machine(packages: tuple[str, ...]) -> dict[str, object]:
     """Where the figures come from, with the versions of those packages that are there."""
-    cpu = "unknown"
+    about = {}
     for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            cpu = line.split(":", 1)[1].strip()
+        key, _, value = line.partition(":")
+        about[key.strip()] = value.strip()
+    # The name alone doesn't always tell the generation.
+    cpu = "{}, family {}, model {}".format(
+        *(about.get(key, "unknown") for key in ("model name", "cpu family", "model"))
+    )
     commit = subprocess.run(
         ["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True
     ).stdout.strip()

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -18,9 +19,15 @@ namespace {
 
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
+    std::string name = "unknown", family = name, model = name;
+    for (std::string line; std::getline(in, line) && !line.empty();) {
+        const std::string value = line.substr(std::min(line.find(':') + 2, line.size()));
+        if (line.starts_with("model name")) name = value;
+        if (line.starts_with("cpu family")) family = value;
+        if (line.starts_with("model\t")) model = value;
+    }
+    // The name alone doesn't always tell the generation.
+    return name + ", family " + family + ", model " + model;
 }
 
 }  // namespace
