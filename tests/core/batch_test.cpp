@@ -133,13 +133,18 @@ TEST(Batch, cancellation_after_the_last_piece_comes_too_late) {
 
 TEST(Batch, progress_that_throws_ends_the_work) {
     const ThreadLimit limit(4);
+    std::atomic<bool> thrown = false;
     std::atomic<std::size_t> done = 0;
-    const auto progress = [](double part) {
-        if (part > 0.001) throw InvalidInput("enough");
+    const auto progress = [&](double) {
+        thrown = true;
+        throw InvalidInput("enough");
     };
-    EXPECT_THROW(for_each_piece(100'000, 1, {.progress = progress},
-                                [&](std::size_t, std::size_t) { ++done; }),
-                 InvalidInput);
+    const auto caller = std::this_thread::get_id();
+    const auto body = [&](std::size_t, std::size_t) {
+        while (!thrown && std::this_thread::get_id() != caller) std::this_thread::yield();
+        ++done;
+    };
+    EXPECT_THROW(for_each_piece(100'000, 1, {.progress = progress}, body), InvalidInput);
     EXPECT_LT(done, 100'000u);
 }
 

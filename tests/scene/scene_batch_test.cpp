@@ -82,6 +82,7 @@ TEST(SceneBatch, sizes_that_differ_are_refused) {
 }
 
 TEST(SceneBatch, can_be_watched_and_cancelled) {
+    const ThreadLimit limit(1);  // or the others may do all before the first report
     const TriangleMesh mesh = generate_icosphere(100);
     const Scene scene({mesh});
     const std::vector<Ray> rays = some_rays(mesh, 10'000);
@@ -100,6 +101,7 @@ TEST(SceneBatch, can_be_watched_and_cancelled) {
 
 /// One mesh is asked by kernels for float, two by way of double.
 TEST(SceneBatch, columns_can_be_watched_and_cancelled) {
+    const ThreadLimit limit(1);  // or the others may do all before the first report
     const TriangleMesh mesh = generate_icosphere(100);
     for (const std::size_t meshes : {1, 2}) {
         const Scene scene(std::vector<SceneMesh>(meshes, SceneMesh(mesh)));
@@ -174,6 +176,7 @@ TEST(SceneBatch, rays_in_float_find_what_those_in_double_find) {
 }
 
 TEST(SceneBatch, distances_can_be_watched_and_cancelled) {
+    const ThreadLimit limit(1);  // or the others may do all before the first report
     const TriangleMesh mesh = generate_icosphere(100);
     const Scene scene({mesh});
     const SceneSign sign(scene, SignMethod::winding_number);
