@@ -13,7 +13,7 @@ using namespace nanobind::literals;
 
 namespace {
 
-constexpr std::size_t kPiece = 256;
+constexpr std::size_t kPiece = 1024;
 
 /// Calls store(begin, rays) for pieces of the rays, of kPiece at the most, on all cores.
 template <class Store>

@@ -59,14 +59,18 @@ TEST_P(WideLaws, queries_equal_the_oracle_to_the_last_bit) {
     }
 }
 
+/// Some come from so far away that float can't tell the scene from a point.
+Ray ray_from_near_or_far(const TriangleMesh& mesh, std::uint64_t seed) {
+    Ray ray = random_ray(mesh, seed);
+    if (seed % 4 == 0) ray.origin -= std::ldexp(1.0, static_cast<int>(seed % 80)) * ray.direction;
+    return ray;
+}
+
 TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<NamedTree> trees = all_trees(mesh);
     for (std::uint64_t seed = 0; seed < cases(400); ++seed) {
-        Ray ray = random_ray(mesh, seed);
-        // Some from so far away that float can't tell the scene from a point.
-        if (seed % 4 == 0)
-            ray.origin -= std::ldexp(1.0, static_cast<int>(seed % 80)) * ray.direction;
+        const Ray ray = ray_from_near_or_far(mesh, seed);
         const auto expected = closest_hit_brute_force(mesh, ray);
         for (const auto& [name, tree] : trees) {
             const auto found = closest_hit(mesh, tree, ray);
@@ -75,6 +79,34 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
                 << testing::PrintToString(ray) << "\nfound    " << testing::PrintToString(found)
                 << "\nexpected " << testing::PrintToString(expected);
             ASSERT_EQ(any_hit(mesh, tree, ray), expected.has_value()) << name << seed;
+        }
+    }
+}
+
+TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
+    const TriangleMesh mesh = GetParam().make();
+    std::vector<Ray> rays;
+    std::vector<std::optional<Hit>> expected;
+    for (std::uint64_t seed = 0; seed < cases(1500); ++seed) {
+        rays.push_back(ray_from_near_or_far(mesh, seed));
+        expected.push_back(closest_hit_brute_force(mesh, rays.back()));
+    }
+    for (const auto& [name, tree] : all_trees(mesh)) {
+        for (const std::size_t count : {std::size_t{1}, std::size_t{9}, rays.size()}) {
+            std::vector<Hit> hits(count, Hit{.t = -1, .triangle = 7, .instance = 9});
+            const std::unique_ptr<bool[]> any(new bool[count]);
+            closest_hits(mesh, tree, std::span(rays).first(count), hits);
+            any_hits(mesh, tree, std::span(rays).first(count), {any.get(), count});
+            for (std::size_t i = 0; i < count; ++i) {
+                ASSERT_TRUE(are_identical(hits[i], expected[i].value_or(Hit{})))
+                    << name << ", seed " << i << " of " << count << "\n"
+                    << testing::PrintToString(rays[i]) << "\nfound    "
+                    << testing::PrintToString(hits[i]) << "\nexpected "
+                    << testing::PrintToString(expected[i]);
+                ASSERT_EQ(any[i], expected[i].has_value())
+                    << name << ", seed " << i << " of " << count << "\n"
+                    << testing::PrintToString(rays[i]);
+            }
         }
     }
 }

@@ -25,10 +25,14 @@ struct ShearedRay {
 
     /// Precondition: is_traceable(ray).
     explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
-        ray.direction.cwiseAbs().maxCoeff(&kz);
-        kx = kz == 2 ? 0 : kz + 1;
-        ky = kz == 0 ? 2 : kz - 1;
-        if (ray.direction[kz] < 0) std::swap(kx, ky);
+        // By arithmetic, as nobody could predict the branches.
+        const Vec3d size = ray.direction.cwiseAbs();
+        const int y = size[1] > size[0], z = size[2] > std::max(size[0], size[1]);
+        kz = (y & ~z) + 2 * z;
+        const int next = 0b00'10'01 >> (2 * kz) & 3, last = 0b01'00'10 >> (2 * kz) & 3;
+        const int swapped = (next ^ last) & -static_cast<int>(ray.direction[kz] < 0);
+        kx = next ^ swapped;
+        ky = last ^ swapped;
         sx = ray.direction[kx] / ray.direction[kz];
         sy = ray.direction[ky] / ray.direction[kz];
         sz = 1 / ray.direction[kz];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "boxwood/core/ray.h"
 #include "boxwood/mesh/placed_mesh.h"
@@ -19,6 +20,13 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
 
 /// any_hit() of query/any_hit.h.
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
+
+/// The same for each ray, Hit{} where there is none, on this thread: twice as fast as one by one.
+/// Precondition: as many places as rays.
+void closest_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
+                  std::span<Hit> hits) noexcept;
+void any_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
+              std::span<bool> hits) noexcept;
 
 // The same for a mesh that stands somewhere in the world, by the tree of the mesh where it is: to
 // the last bit what the mesh would answer if its vertices were moved there. Explained in

@@ -109,15 +109,37 @@ float visit_each(void* context, const std::uint32_t* triangles, unsigned mask) n
 }
 
 #if defined(__x86_64__)
-/// The same, and all that it calls, for machines whose fused multiply-add is an instruction: else
-/// it is a call to the C library. Both round once, so the answers are the same.
+// For machines whose fused multiply-add is an instruction: else it is a call to the C library. Both
+// round once, so the answers are the same.
+
+inline bool has_fused(InstructionSet set) {
+    return set == InstructionSet::avx2 || set == InstructionSet::avx512;
+}
+
+/// visit_each(), and all that it calls.
 template <class Visit>
 __attribute__((target("avx2,fma"), flatten)) float visit_each_fused(void* context,
                                                                     const std::uint32_t* triangles,
                                                                     unsigned mask) noexcept {
     return visit_each<Visit>(context, triangles, mask);
 }
+
+/// Does some work, and all that it calls.
+template <class Work>
+__attribute__((target("avx2,fma"), flatten)) void work_fused(const Work& work) noexcept {
+    work();
+}
 #endif
+
+/// Does some work, with fused multiply-adds where the instruction set has them.
+template <class Work>
+void run_fused(InstructionSet set, const Work& work) noexcept {
+#if defined(__x86_64__)
+    if (has_fused(set)) return work_fused(work);
+#endif
+    (void)set;
+    work();
+}
 
 /// Calls visit(triangle) for each triangle that the ray may hit, some twice where a builder splits
 /// triangles. It returns near.farthest() of what is of interest yet; minus infinity ends the walk.
@@ -126,8 +148,7 @@ void visit_candidates(const WideTree& tree, const NearRay& near, Visit& visit) n
     const InstructionSet set = tree.instruction_set();
     CandidateVisitor visitor = {.context = &visit, .visit = visit_each<Visit>};
 #if defined(__x86_64__)
-    if (set == InstructionSet::avx2 || set == InstructionSet::avx512)
-        visitor.visit = visit_each_fused<Visit>;
+    if (has_fused(set)) visitor.visit = visit_each_fused<Visit>;
 #endif
     ray_kernels(set).walk_candidates(tree.view(), near.ray(), near.extra_rounding(), visitor);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hit's place among many, whichever way these are kept: an array, columns, or whether there are
-// any.
+// A hit's place among many, whichever way these are kept: an array or columns.
 #pragma once
 
 #include "boxwood/query/ray_columns.h"
@@ -22,9 +21,6 @@ BOXWOOD_KERNEL void put_hit(const HitColumns& hits, std::size_t i, const Hitf& h
     hits.normal[3 * i + 1] = static_cast<float>(factor * y);
     hits.normal[3 * i + 2] = static_cast<float>(factor * z);
 }
-BOXWOOD_KERNEL void put_hit(bool* hits, std::size_t i, const Hitf& hit) {
-    hits[i] = hit.triangle != Hitf::kNone;
-}
 
 /// Asks for the memory of a place that will be written.
 BOXWOOD_KERNEL void fetch_place(Hitf* hits, std::size_t i) { __builtin_prefetch(hits + i, 1); }
@@ -35,6 +31,5 @@ BOXWOOD_KERNEL void fetch_place(const HitColumns& hits, std::size_t i) {
     __builtin_prefetch(hits.uv + 2 * i, 1);
     __builtin_prefetch(hits.normal + 3 * i, 1);
 }
-BOXWOOD_KERNEL void fetch_place(bool*, std::size_t) {}
 
 }  // namespace boxwood

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The queries of a scene for one hit: those of its instances, put together.
+#include <algorithm>
+
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
@@ -12,8 +14,9 @@ namespace boxwood {
 
 namespace {
 
-/// Rays between two looks at whether to go on: few, as by brute force each may take long.
-constexpr std::size_t kPiece = 256;
+/// Rays between two looks at whether to go on: few, as by brute force each may take long, but
+/// enough for a wavefront.
+constexpr std::size_t kPiece = 1024;
 
 /// Keeps the closest of the hits on instances.
 class ClosestOfInstances {
@@ -73,10 +76,24 @@ bool Scene::any_hit(const Ray& ray) const noexcept {
     return found;
 }
 
+const WideTree* Scene::only_tree(std::span<const Ray> rays) const {
+    const WideTree* tree = only_tree();
+    const auto sees_it = [&](const Ray& ray) {
+        // Of another instance it skips nothing.
+        const bool skips_here = ray.skip.triangle == TriangleId::kNone || ray.skip.instance == 0;
+        return skips_here && (ray.visibility & instances_[0].visibility) != 0;
+    };
+    return tree && std::all_of(rays.begin(), rays.end(), sees_it) ? tree : nullptr;
+}
+
 void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
                          const BatchOptions& options) const {
     check_hit_places(rays.size(), hits.size());
     for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        const auto some = rays.subspan(begin, end - begin);
+        if (const WideTree* tree = only_tree(some))
+            return boxwood::closest_hits(meshes_[instances_[0].mesh], *tree, some,
+                                         hits.subspan(begin, some.size()));
         for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
     });
 }
@@ -85,6 +102,10 @@ void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
                      const BatchOptions& options) const {
     check_hit_places(rays.size(), hits.size());
     for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+        const auto some = rays.subspan(begin, end - begin);
+        if (const WideTree* tree = only_tree(some))
+            return boxwood::any_hits(meshes_[instances_[0].mesh], *tree, some,
+                                     hits.subspan(begin, some.size()));
         for (std::size_t i = begin; i < end; ++i) hits[i] = any_hit(rays[i]);
     });
 }

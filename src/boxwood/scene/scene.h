@@ -197,8 +197,9 @@ private:
     template <class Touching>
     std::vector<TriangleId> touching(const Box3d& box, const Touching& touching) const;
 
-    /// The tree that rays in float may walk by themselves, if there is one.
+    /// The tree that rays may walk by themselves, if there is one: all of them in float, or these.
     const WideTree* only_tree() const;
+    const WideTree* only_tree(std::span<const Ray> rays) const;
     void widen_vertices();
     void find_faults();
     Box3f bounds_in_world(std::uint32_t instance) const;

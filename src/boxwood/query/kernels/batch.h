@@ -9,7 +9,8 @@
 #include "boxwood/query/kernels/frustum.h"
 #include "boxwood/query/kernels/overlaps.h"
 #include "boxwood/query/kernels/wavefront.h"
-#include "boxwood/query/put_hit.h"
+#include "boxwood/query/kernels/wavefront_candidates.h"
+#include "boxwood/query/kernels/wavefront_hits.h"
 
 namespace boxwood {
 
@@ -30,7 +31,7 @@ BOXWOOD_KERNEL void closest_hits_of_any(const WideTreeView& tree, const Rays& ra
             put_hit(hits, i, hit);
         }
     } else {
-        Wavefront<S, Rays, Hits>(tree, rays, hits, count).run();
+        Wavefront<S, ClosestHitsOfRays<S, Rays, Hits>>(tree, {tree, rays, hits}, count).run();
     }
 }
 
@@ -40,7 +41,7 @@ BOXWOOD_KERNEL void any_hits_of_any(const WideTreeView& tree, const Rays& rays, 
     if (count < kFewRays || tree.stack_size > kWavefrontStack) {
         for (std::size_t i = 0; i < count; ++i) hits[i] = any_hit<S>(tree, rays[i]);
     } else {
-        Wavefront<S, Rays, bool*>(tree, rays, hits, count).run();
+        Wavefront<S, AnyHitsOfRays<S, Rays>>(tree, {tree, rays, hits}, count).run();
     }
 }
 

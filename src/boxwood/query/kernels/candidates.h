@@ -10,31 +10,76 @@
 
 namespace boxwood {
 
-/// The lanes that may be hit within [t_min, farthest] by a ray that is, as the triangles are, less
-/// than `error` off in each sheared coordinate. An edge function's sign is sure beyond margin, a
-/// bound on what these errors and its own rounding make of it.
+/// How far off sheared coordinates of triangles are at the most, and what the ray may be off by
+/// besides. Half of the rounding that boxes need is more than that of sheared coordinates.
+BOXWOOD_KERNEL float candidate_error(const RaySetup& ray, float extra_rounding) {
+    return 0.5f * ray.rounding + 1.5f * extra_rounding;
+}
+
+/// The triangles of a block against a ray that is, as the triangles are, less than `error` off in
+/// each sheared coordinate.
 template <class S>
-BOXWOOD_KERNEL unsigned candidates(const TriangleBlock<S::kWidth>& block, const RaySetup& ray,
-                                   float error, float farthest) {
+class CandidateTest {
+public:
     using Float = typename S::Float;
-    const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
-        c(block.corner[2], ray);
-    const Float u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
-    const auto size = [](const ShearedCorner<S>& p) {
-        return S::max(p.x, -p.x) + S::max(p.y, -p.y);
-    };
-    const Float largest = S::max(S::max(size(a), size(b)), size(c));
-    const Float margin = (S::broadcast(2 * error) + S::broadcast(0x1.2p-23f) * largest) * largest +
-                         S::broadcast(2 * error * error);
+
+    BOXWOOD_KERNEL CandidateTest(const TriangleBlock<S::kWidth>& block, const RaySetup& ray,
+                                 float error)
+        : error_(error) {
+        const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
+            c(block.corner[2], ray);
+        u_ = c.x * b.y - c.y * b.x;
+        v_ = a.x * c.y - a.y * c.x;
+        w_ = b.x * a.y - b.y * a.x;
+        least_ = S::min(S::min(u_, v_), w_);
+        greatest_ = S::max(S::max(u_, v_), w_);
+        const auto size = [](const ShearedCorner<S>& p) {
+            return S::max(p.x, -p.x) + S::max(p.y, -p.y);
+        };
+        const Float largest = S::max(S::max(size(a), size(b)), size(c));
+        margin_ = (S::broadcast(2 * error) + S::broadcast(0x1.2p-23f) * largest) * largest +
+                  S::broadcast(2 * error * error);
+        const Float sz = S::broadcast(ray.sz);
+        az_ = sz * a.z;
+        bz_ = sz * b.z;
+        cz_ = sz * c.z;
+        first_ = S::min(S::min(az_, bz_), cz_);
+        last_ = S::max(S::max(az_, bz_), cz_);
+    }
+
+    /// The lanes that may be hit within [t_min, farthest].
+    BOXWOOD_KERNEL unsigned may_be_hit(float t_min, float farthest) const {
+        return (S::less_equal(-margin_, least_) | S::less_equal(greatest_, margin_)) &
+               S::less_equal(first_, S::broadcast(farthest + 2 * error_)) &
+               S::less_equal(S::broadcast(t_min - 2 * error_), last_);
+    }
+
+    /// Those that are hit for sure, wherever that is.
+    BOXWOOD_KERNEL unsigned is_hit() const {
+        return S::less(margin_, least_) | S::less(greatest_, -margin_);
+    }
 
     // A hit is as far as a mean of the corners is.
-    const Float sz = S::broadcast(ray.sz), az = sz * a.z, bz = sz * b.z, cz = sz * c.z;
-    const Float first = S::min(S::min(az, bz), cz), last = S::max(S::max(az, bz), cz);
-    return (S::less_equal(-margin, S::min(S::min(u, v), w)) |
-            S::less_equal(S::max(S::max(u, v), w), margin)) &
-           S::less_equal(first, S::broadcast(farthest + 2 * error)) &
-           S::less_equal(S::broadcast(ray.t_min - 2 * error), last);
-}
+    BOXWOOD_KERNEL Float nearest() const { return first_ - S::broadcast(2 * error_); }
+    BOXWOOD_KERNEL Float farthest() const { return last_ + S::broadcast(2 * error_); }
+    /// Closer than farthest(), for lanes that are hit for sure.
+    BOXWOOD_KERNEL Float no_farther() const {
+        // Weights first, as products of three coordinates might leave the range of float.
+        const Float one_by_sum = S::broadcast(1) / ((u_ + v_) + w_);
+        const Float t =
+            ((u_ * one_by_sum) * az_ + (v_ * one_by_sum) * bz_) + (w_ * one_by_sum) * cz_;
+        const Float off = (S::broadcast(3.01f) * margin_) * S::max(one_by_sum, -one_by_sum);
+        return t + off * (last_ - first_) + S::broadcast(2 * error_);
+    }
+
+private:
+    float error_;
+    Float u_, v_, w_;         ///< edge functions
+    Float least_, greatest_;  ///< of them
+    Float margin_;            ///< beyond which their signs are sure
+    Float az_, bz_, cz_;      ///< how far the corners are along the ray
+    Float first_, last_;      ///< of them
+};
 
 template <class S>
 void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
@@ -44,13 +89,12 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
     RaySetup setup;
     setup.set<typename S::Quad>(ray, tree, extra_rounding);
     const NodeRay<S> node_ray(setup);
-    // Half of the rounding that boxes need is more than that of sheared coordinates.
-    const float error = 0.5f * setup.rounding + 1.5f * extra_rounding;
+    const float error = candidate_error(setup, extra_rounding);
     float farthest = ray.t_max;
     TriangleBlock<N> room;
     walk<S>(tree, setup, node_ray, farthest, [&](WideReference reference) {
         const TriangleBlock<N>& block = block_at<N>(tree, reference, room);
-        const unsigned mask = candidates<S>(block, setup, error, farthest);
+        const unsigned mask = CandidateTest<S>(block, setup, error).may_be_hit(ray.t_min, farthest);
         if (mask != 0) farthest = visitor.visit(visitor.context, block.triangle, mask);
     });
 }

@@ -16,6 +16,8 @@ constexpr RayKernels kernels_of() {
             closest_hits_in_columns<S>,
             any_hits_in_columns<S>,
             walk_candidates<S>,
+            candidates_of<S, false>,
+            candidates_of<S, true>,
             walk_near_triangles<S>,
             walk_overlaps<S>,
             closest_hit<S, WideCounts>,

@@ -18,6 +18,23 @@ struct CandidateVisitor {
     float (*visit)(void* context, const std::uint32_t* triangles, unsigned mask) noexcept;
 };
 
+/// A ray in double as the tree sees it: see near_ray.h.
+struct CandidateRay {
+    Rayf ray;
+    float extra_rounding;  ///< how far off it may be besides its own rounding
+    std::uint32_t skip;    ///< a triangle that it doesn't see
+};
+
+/// Triangles one of which is the answer, or none, decided in double; some may be there twice.
+struct Candidates {
+    static constexpr std::uint32_t kMost = 7;
+    static constexpr std::uint32_t kTooMany = kMost + 1;  ///< what the triangles are isn't told
+    static constexpr std::uint32_t kSureHit = kMost + 2;  ///< the ray hits something for sure
+
+    std::uint32_t count;
+    std::uint32_t triangle[kMost];
+};
+
 /// A point near which walk_near_triangles() looks for triangles.
 struct PointQuery {
     float point[3];
@@ -48,6 +65,12 @@ struct RayKernels {
                                 bool* hits) noexcept;
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
                             const CandidateVisitor& visitor) noexcept;
+    /// What may be the closest hits of rays, and what may be any hits, or surely is one.
+    /// Precondition: the tree needs no more than kWavefrontStack places.
+    void (*closest_candidates)(const WideTreeView& tree, const CandidateRay* rays,
+                               Candidates* candidates, std::size_t count) noexcept;
+    void (*any_candidates)(const WideTreeView& tree, const CandidateRay* rays,
+                           Candidates* candidates, std::size_t count) noexcept;
     /// Visits each triangle that may be the nearest to the point and no farther than
     /// query.farthest. A visit returns the distance of the nearest so far, or beyond which nothing
     /// is of interest.

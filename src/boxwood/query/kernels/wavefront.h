@@ -8,14 +8,10 @@
 // Harmful", HPG 2013; Barringer and Akenine-Moeller, "Dynamic Ray Stream Traversal", 2014.
 #pragma once
 
-#include <type_traits>
-
 #include "boxwood/query/kernels/fetch_trial.h"
-#include "boxwood/query/kernels/hit_record.h"
 #include "boxwood/query/kernels/node_ray.h"
-#include "boxwood/query/kernels/triangle_block.h"
+#include "boxwood/query/kernels/tree_blocks.h"
 #include "boxwood/query/kernels/wide_walk.h"
-#include "boxwood/query/put_hit.h"
 
 namespace boxwood {
 
@@ -24,7 +20,7 @@ constexpr int kRaysInFlight = 40;
 /// What is below everything else on the stack of a ray: nothing is left to visit.
 constexpr WideReference kDone = 0xffffffffu;
 
-template <class S>
+template <class S, class State>
 struct WavefrontRay {
     static constexpr int N = S::kWidth;
 
@@ -32,21 +28,25 @@ struct WavefrontRay {
     WideReference current;
     int size;  ///< of the stack; its first N places hold kDone
     std::size_t index;
-    ClosestHit<S> closest;
+    State state;
     alignas(64) std::uint32_t references[kWavefrontStack + 2 * kStackSlack];
     alignas(64) float distances[kWavefrontStack + 2 * kStackSlack];
 };
 
-/// Rays are an array or columns of them; hits likewise, or whether there are any.
-template <class S, class Rays, class Results>
+/// The query is what is asked of `count` rays. It has
+/// - State: what is known of a ray's answer so far; what lies beyond state.t is of no interest;
+/// - kNearestFirst: whether children are visited in the order of their distance;
+/// - start(i, setup, state): takes up ray i; false when that is answered already;
+/// - visit(block, reference, setup, state): looks at a leaf; true when that settles the answer;
+/// - finish(i, state): answers ray i.
+template <class S, class Query>
 class Wavefront {
 public:
     static constexpr int N = S::kWidth;
-    static constexpr bool kAnyHit = std::is_same_v<Results, bool*>;
+    using State = typename Query::State;
 
-    BOXWOOD_KERNEL Wavefront(const WideTreeView& tree, const Rays& rays, const Results& results,
-                             std::size_t count)
-        : tree_(tree), rays_(rays), results_(results), count_(count) {}
+    BOXWOOD_KERNEL Wavefront(const WideTreeView& tree, const Query& query, std::size_t count)
+        : tree_(tree), query_(query), count_(count) {}
 
     BOXWOOD_KERNEL void run() {
         Lists lists;
@@ -83,7 +83,7 @@ public:
 
 private:
     using Float = typename S::Float;
-    using Slot = WavefrontRay<S>;
+    using Slot = WavefrontRay<S, State>;
 
     /// Which slots stand at a node and which at a block: the lists of this round and of the next.
     struct Lists {
@@ -118,7 +118,7 @@ private:
             for (int k = 0; k < blocks; ++k)
                 file(block_list[k], visit_block(slots_[block_list[k]]));
             for (int k = 0; k < finished; ++k) {
-                finish(slots_[done[k]]);
+                query_.finish(slots_[done[k]].index, slots_[done[k]].state);
                 next_node_list[next_nodes] = done[k];
                 next_nodes += start_next(slots_[done[k]]);
             }
@@ -134,31 +134,13 @@ private:
     BOXWOOD_KERNEL bool start_next(Slot& slot) {
         while (next_ < count_) {
             const std::size_t i = next_++;
-            const Rayf& ray = rays_[i];
-            if (!is_traceable<typename S::Quad>(ray)) {
-                put_hit(results_, i, {});
-                continue;
-            }
-            fetch_place(results_, i);
-            slot.setup.template set<typename S::Quad>(ray, tree_);
+            if (!query_.start(i, slot.setup, slot.state)) continue;
             slot.current = 0;
             slot.size = N;
             slot.index = i;
-            slot.closest.t = ray.t_max;
-            slot.closest.triangle = Hitf::kNone;
             return true;
         }
         return false;
-    }
-
-    BOXWOOD_KERNEL void finish(const Slot& slot) {
-        Hitf hit = {};
-        if constexpr (kAnyHit) {
-            hit.triangle = slot.closest.triangle;
-        } else {
-            slot.closest.write(tree_, hit);
-        }
-        put_hit(results_, slot.index, hit);
     }
 
     /// Drops what lies behind the closest hit from the top of the stack.
@@ -166,19 +148,19 @@ private:
         int size = slot.size;
         for (;;) {
             const unsigned kept = S::less_equal(S::load_unaligned(slot.distances + size - N),
-                                                S::broadcast(slot.closest.t));
+                                                S::broadcast(slot.state.t));
             if (__builtin_expect(kept != 0, 1)) return size - N + 32 - __builtin_clz(kept);
             size -= N;
         }
     }
 
     BOXWOOD_KERNEL WideReference visit_node(Slot& slot) {
-        int size = kAnyHit ? slot.size : drop_hidden(slot);
+        int size = Query::kNearestFirst ? drop_hidden(slot) : slot.size;
         const WideNode<N>& node = tree_.template node<N>(slot.current);
         Float enter, leave;
-        NodeRay<S>(slot.setup).intersect(node, S::broadcast(slot.closest.t), enter, leave);
+        NodeRay<S>(slot.setup).intersect(node, S::broadcast(slot.state.t), enter, leave);
         auto child = S::load(node.child);
-        if constexpr (!kAnyHit) {
+        if constexpr (Query::kNearestFirst) {
             const auto order = S::order(node.order, static_cast<int>(slot.setup.octant));
             enter = S::permute(enter, order);
             leave = S::permute(leave, order);
@@ -186,7 +168,8 @@ private:
         }
         const unsigned hit = S::less_equal(enter, leave);
         S::store_unaligned(slot.references + size, S::compress(hit, child));
-        if constexpr (!kAnyHit) S::store_unaligned(slot.distances + size, S::compress(hit, enter));
+        if constexpr (Query::kNearestFirst)
+            S::store_unaligned(slot.distances + size, S::compress(hit, enter));
         size += __builtin_popcount(hit) - 1;
         slot.size = size;
         return slot.references[size];
@@ -194,22 +177,13 @@ private:
 
     BOXWOOD_KERNEL WideReference visit_block(Slot& slot) {
         const TriangleBlock<N>& block = block_at<N>(tree_, slot.current, room_);
-        const BlockHit<S> hit = intersect<S>(block, slot.setup, S::broadcast(slot.closest.t));
-        if constexpr (kAnyHit) {
-            if (hit.mask != 0) {
-                slot.closest.triangle = 0;
-                return kDone;
-            }
-        } else {
-            if (hit.mask != 0) slot.closest.offer(block, slot.current, hit);
-            slot.size = drop_hidden(slot);
-        }
+        if (query_.visit(block, slot.current, slot.setup, slot.state)) return kDone;
+        if constexpr (Query::kNearestFirst) slot.size = drop_hidden(slot);
         return slot.references[--slot.size];
     }
 
     const WideTreeView& tree_;
-    Rays rays_;
-    Results results_;
+    Query query_;
     std::size_t count_;
     std::size_t next_ = 0;
     Slot slots_[kRaysInFlight];
