@@ -56,6 +56,31 @@ TEST(SceneBatch, answers_are_those_of_brute_force_in_order_for_any_count_and_thr
     }
 }
 
+/// Whether kernels for many rays take them or not.
+TEST(SceneBatch, rays_see_what_they_are_to_and_skip_in_their_instance_alone) {
+    const TriangleMesh mesh = generate_icosphere(2000);
+    Instance instance;
+    instance.visibility = 2;
+    const Scene scene({mesh}, {instance});
+    for (const std::uint64_t rare : {1, 5, 4000}) {
+        std::vector<Ray> rays = some_rays(mesh, 3000);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto hit = scene.closest_hit(rays[i]);
+            rays[i].visibility = i % rare == 1 ? 1 : i % 2 == 0 ? 2 : 3;
+            if (hit && i % 3 == 0) rays[i].skip = {i % rare == 2 ? 1u : 0u, hit->triangle};
+        }
+        std::vector<Hit> hits(rays.size());
+        scene.closest_hits(rays, hits);
+        const std::vector<bool> any = any_hits(scene, rays);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto expected = scene.closest_hit(rays[i]);
+            ASSERT_TRUE(are_identical(hits[i], expected.value_or(Hit{}))) << i;
+            ASSERT_EQ(any[i], scene.any_hit(rays[i])) << i;
+            if (i % rare == 1) ASSERT_FALSE(any[i]) << i;
+        }
+    }
+}
+
 TEST(SceneBatch, scene_of_nothing_is_never_hit) {
     const Scene scene({});
     const std::vector<Ray> rays(5);
