@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays in double: pieces of them are gathered from arrays, and their hits scattered into others.
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <array>
+#include <vector>
 
+#include "boxwood/query/ray_tiles.h"
 #include "py_scene.h"
 #include "ray_arrays.h"
 #include "watch.h"
@@ -13,20 +17,27 @@ using namespace nanobind::literals;
 
 namespace {
 
-constexpr std::size_t kPiece = 1024;
+constexpr std::size_t kPiece = 256;
 
-/// Calls store(begin, rays) for pieces of the rays, of kPiece at the most, on all cores.
+/// Calls store(begin, rays) for pieces of so many rays, on all cores.
 template <class Store>
-void for_each_rays(const PyScene& scene, const RayArrays& arrays, nb::handle progress,
-                   const Store& store, std::size_t piece_size = kPiece) {
+void for_each_piece(Watch& watch, const RayArrays& arrays, std::size_t size, const Store& store) {
+    tbb::enumerable_thread_specific<std::vector<Ray>> pieces;
+    watch.for_each_piece(size, [&](std::size_t begin, std::size_t end) {
+        std::vector<Ray>& rays = pieces.local();
+        rays.resize(end - begin);
+        for (std::size_t i = begin; i < end; ++i) rays[i - begin] = arrays[i];
+        store(begin, std::span<const Ray>(rays));
+    });
+}
+
+/// The same, with the scene kept as it is meanwhile.
+template <class Store>
+void for_each_piece(const PyScene& scene, const RayArrays& arrays, nb::handle progress,
+                    std::size_t size, const Store& store) {
     run_watched(arrays.size(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
-        watch.for_each_piece(piece_size, [&](std::size_t begin, std::size_t end) {
-            std::array<Ray, kPiece> rays;
-            const auto piece = std::span(rays).first(end - begin);
-            arrays.gather(begin, piece);
-            store(begin, piece);
-        });
+        for_each_piece(watch, arrays, size, store);
     });
 }
 
@@ -51,38 +62,49 @@ void closest_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<
                  nb::handle progress) {
     check_places(arrays.size(), t, triangle, instance, uv, normal);
     const HitPlaces places = {t, triangle, instance, uv};
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
-        std::array<Hit, kPiece> hits;
-        scene.scene().closest_hits(rays, std::span(hits).first(rays.size()),
-                                   {.on_this_thread = true});
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const Hit& hit = hits[i];
-            const std::size_t at = begin + i;
-            places.store(at, hit);
-            const Vec3d n = hit.is_hit() ? scene.scene().geometric_normal(hit) : Vec3d::Zero();
-            for (int k = 0; k < 3; ++k) normal.data()[3 * at + static_cast<std::size_t>(k)] = n[k];
-        }
+    const auto put = [&](std::size_t at, const Hit& hit) {
+        places.store(at, hit);
+        const Vec3d n = hit.is_hit() ? scene.scene().geometric_normal(hit) : Vec3d::Zero();
+        for (int k = 0; k < 3; ++k) normal.data()[3 * at + static_cast<std::size_t>(k)] = n[k];
+    };
+    const auto trace = [&](std::span<const Ray> rays, std::span<Hit> hits) {
+        scene.scene().closest_hits(rays, hits, {.on_this_thread = true});
+    };
+    run_watched(arrays.size(), progress, [&](Watch& watch) {
+        const Gate::Query query(scene.gate);
+        const bool is_in_tiles = answer_in_tiles<Ray, Hit>(
+            arrays.size(), watch.options(arrays.size()), [&](std::size_t i) { return arrays[i]; },
+            trace, put);
+        if (is_in_tiles) return;
+        const std::size_t size = scene.scene().rays_at_a_time();
+        for_each_piece(watch, arrays, size, [&](std::size_t begin, std::span<const Ray> rays) {
+            std::vector<Hit> hits(rays.size());
+            trace(rays, hits);
+            for (std::size_t i = 0; i < hits.size(); ++i) put(begin + i, hits[i]);
+        });
     });
 }
 
 void any_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<bool>& results,
              nb::handle progress) {
     check_places(arrays.size(), results);
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+    const auto store = [&](std::size_t begin, std::span<const Ray> rays) {
         scene.scene().any_hits(rays, std::span(results.data() + begin, rays.size()),
                                {.on_this_thread = true});
-    });
+    };
+    for_each_piece(scene, arrays, progress, scene.scene().rays_at_a_time(), store);
 }
 
 void count_hits(const PyScene& scene, const RayArrays& arrays,
                 const ValuesOut<std::int64_t>& results, nb::handle progress) {
     check_places(arrays.size(), results);
-    for_each_rays(scene, arrays, progress, [&](std::size_t begin, std::span<Ray> rays) {
+    const auto store = [&](std::size_t begin, std::span<const Ray> rays) {
         std::array<std::size_t, kPiece> counts;
         scene.scene().count_hits(rays, std::span(counts).first(rays.size()),
                                  {.on_this_thread = true});
         std::copy_n(counts.begin(), rays.size(), results.data() + begin);
-    });
+    };
+    for_each_piece(scene, arrays, progress, kPiece, store);
 }
 
 Dict all_hits(const PyScene& scene, const RayArrays& arrays, nb::handle progress) {
@@ -132,12 +154,12 @@ void first_k_hits(const PyScene& scene, const RayArrays& arrays, std::size_t k,
     constexpr std::size_t kAtATime = std::size_t{1} << 14;
     const std::size_t piece =
         std::clamp(kAtATime / std::max<std::size_t>(k, 1), std::size_t{1}, kPiece);
-    const auto store = [&](std::size_t begin, std::span<Ray> rays) {
+    const auto store = [&](std::size_t begin, std::span<const Ray> rays) {
         std::vector<Hit> hits(rays.size() * k);
         scene.scene().first_k_hits(rays, k, hits, {.on_this_thread = true});
         for (std::size_t i = 0; i < hits.size(); ++i) places.store(begin * k + i, hits[i]);
     };
-    for_each_rays(scene, arrays, progress, store, piece);
+    for_each_piece(scene, arrays, progress, piece, store);
 }
 
 }  // namespace

@@ -57,21 +57,24 @@ public:
 
     std::size_t size() const { return origins_.size(); }
 
+    Ray operator[](std::size_t i) const {
+        Ray ray;
+        for (int k = 0; k < 3; ++k) {
+            ray.origin[k] = origins_(i, k);
+            ray.direction[k] = directions_(i, k);
+        }
+        ray.t_min = t_min_(i);
+        ray.t_max = t_max_(i);
+        // -1 for none.
+        ray.skip = {static_cast<std::uint32_t>(skip_instance_(i)),
+                    static_cast<std::uint32_t>(skip_triangle_(i))};
+        ray.visibility = visibility_(i);
+        return ray;
+    }
+
     /// Those from `begin` on.
     void gather(std::size_t begin, std::span<Ray> rays) const {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            Ray& ray = rays[i];
-            for (int k = 0; k < 3; ++k) {
-                ray.origin[k] = origins_(begin + i, k);
-                ray.direction[k] = directions_(begin + i, k);
-            }
-            ray.t_min = t_min_(begin + i);
-            ray.t_max = t_max_(begin + i);
-            // -1 for none.
-            ray.skip = {static_cast<std::uint32_t>(skip_instance_(begin + i)),
-                        static_cast<std::uint32_t>(skip_triangle_(begin + i))};
-            ray.visibility = visibility_(begin + i);
-        }
+        for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = (*this)[begin + i];
     }
 
 private:

@@ -83,14 +83,36 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     }
 }
 
+/// Rays of all sorts, with tiles of a camera among them, so that every kernel has its share.
+std::vector<Ray> many_rays(const TriangleMesh& mesh) {
+    constexpr std::uint64_t kTiles = kIsSanitized ? 3 : 12;
+    std::vector<Ray> rays;
+    for (std::uint64_t seed = 0; seed < cases(300); ++seed)
+        rays.push_back(ray_from_near_or_far(mesh, seed));
+    for (std::uint64_t seed = 1000; seed < 1000 + kTiles; ++seed) {
+        // A tile of 16 x 16 rays about a ray, in packets of 4 x 4.
+        const Ray center = random_ray(mesh, seed);
+        const double step = 0.002 * static_cast<double>(1 + seed % 4);
+        const double size = center.direction.cwiseAbs().maxCoeff();
+        for (int i = 0; i < 256; ++i) {
+            const int packet = i / 16, lane = i % 16;
+            const int x = packet % 4 * 4 + lane % 4, y = packet / 4 * 4 + lane / 4;
+            Ray ray = center;
+            ray.direction[seed % 3] += step * (x - 8) * size;
+            ray.direction[(seed + 1) % 3] += step * (y - 8) * size;
+            rays.push_back(ray);
+        }
+    }
+    for (std::uint64_t seed = 300; seed < 300 + cases(200); ++seed)
+        rays.push_back(random_ray(mesh, seed));
+    return rays;
+}
+
 TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
-    std::vector<Ray> rays;
+    const std::vector<Ray> rays = many_rays(mesh);
     std::vector<std::optional<Hit>> expected;
-    for (std::uint64_t seed = 0; seed < cases(1500); ++seed) {
-        rays.push_back(ray_from_near_or_far(mesh, seed));
-        expected.push_back(closest_hit_brute_force(mesh, rays.back()));
-    }
+    for (const Ray& ray : rays) expected.push_back(closest_hit_brute_force(mesh, ray));
     for (const auto& [name, tree] : all_trees(mesh)) {
         for (const std::size_t count : {std::size_t{1}, std::size_t{9}, rays.size()}) {
             std::vector<Hit> hits(count, Hit{.t = -1, .triangle = 7, .instance = 9});
@@ -99,47 +121,22 @@ TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
             any_hits(mesh, tree, std::span(rays).first(count), {any.get(), count});
             for (std::size_t i = 0; i < count; ++i) {
                 ASSERT_TRUE(are_identical(hits[i], expected[i].value_or(Hit{})))
-                    << name << ", seed " << i << " of " << count << "\n"
+                    << name << ", ray " << i << " of " << count << "\n"
                     << testing::PrintToString(rays[i]) << "\nfound    "
                     << testing::PrintToString(hits[i]) << "\nexpected "
                     << testing::PrintToString(expected[i]);
                 ASSERT_EQ(any[i], expected[i].has_value())
-                    << name << ", seed " << i << " of " << count << "\n"
+                    << name << ", ray " << i << " of " << count << "\n"
                     << testing::PrintToString(rays[i]);
             }
         }
     }
 }
 
-/// Rays of all sorts, with tiles of a camera among them, so that every kernel has its share.
-std::vector<Rayf> many_rays(const TriangleMesh& mesh) {
-    constexpr std::uint64_t kTiles = kIsSanitized ? 3 : 12;
-    std::vector<Rayf> rays;
-    for (std::uint64_t seed = 0; seed < cases(300); ++seed)
-        rays.push_back(in_float(random_ray(mesh, seed)));
-    for (std::uint64_t seed = 1000; seed < 1000 + kTiles; ++seed) {
-        // A tile of 16 x 16 rays about a ray, in packets of 4 x 4.
-        const Rayf center = in_float(random_ray(mesh, seed));
-        const float step = 0.002f * static_cast<float>(1 + seed % 4);
-        for (int i = 0; i < 256; ++i) {
-            const int packet = i / 16, lane = i % 16;
-            const int x = packet % 4 * 4 + lane % 4, y = packet / 4 * 4 + lane / 4;
-            Rayf ray = center;
-            const float size = std::max({std::fabs(ray.direction[0]), std::fabs(ray.direction[1]),
-                                         std::fabs(ray.direction[2])});
-            ray.direction[seed % 3] += step * static_cast<float>(x - 8) * size;
-            ray.direction[(seed + 1) % 3] += step * static_cast<float>(y - 8) * size;
-            rays.push_back(ray);
-        }
-    }
-    for (std::uint64_t seed = 300; seed < 300 + cases(200); ++seed)
-        rays.push_back(in_float(random_ray(mesh, seed)));
-    return rays;
-}
-
 TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
-    const std::vector<Rayf> rays = many_rays(mesh);
+    std::vector<Rayf> rays;
+    for (const Ray& ray : many_rays(mesh)) rays.push_back(in_float(ray));
     const std::vector<NamedTree> trees = all_trees(mesh);
     const float scale = trees[0].tree.scale();
     std::vector<std::optional<Hitf>> expected;

@@ -88,7 +88,7 @@ TEST(RayOrder, visits_each_ray_once) {
         for (const std::size_t count : {1, 4095, 4096, 4097, 20000}) {
             const RayOrder order(count, row);
             std::vector<int> visits(count, 0);
-            RayPiece piece;
+            RayPiece<Rayf, Hitf> piece;
             for (std::size_t k = 0; k < order.pieces(); ++k) {
                 piece.take(order, k, [](std::size_t) { return Rayf{}; });
                 std::vector<int> taken(piece.rays.size(), 0);

@@ -61,7 +61,7 @@ TEST(SceneBatch, rays_see_what_they_are_to_and_skip_in_their_instance_alone) {
     const TriangleMesh mesh = generate_icosphere(2000);
     Instance instance;
     instance.visibility = 2;
-    const Scene scene({mesh}, {instance});
+    const Scene scene({mesh}, {instance}, {});
     for (const std::uint64_t rare : {1, 5, 4000}) {
         std::vector<Ray> rays = some_rays(mesh, 3000);
         for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -10,33 +10,41 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "boxwood/core/ray.h"
 #include "boxwood/core/vec.h"
 
 namespace boxwood {
 
+/// Axes, renamed so that |direction[kz]| is largest and triangles keep their orientation.
+struct ShearAxes {
+    int kx, ky, kz;
+
+    /// By arithmetic, as nobody could predict the branches.
+    explicit ShearAxes(const Vec3d& direction) {
+        const Vec3d size = direction.cwiseAbs();
+        const int y = size[1] > size[0], z = size[2] > std::max(size[0], size[1]);
+        kz = (y & ~z) + 2 * z;
+        // Those that follow kz, two bits each.
+        const int next = 0b00'10'01 >> (2 * kz) & 3, last = 0b01'00'10 >> (2 * kz) & 3;
+        const int swapped = (next ^ last) & -static_cast<int>(direction[kz] < 0);
+        kx = next ^ swapped;
+        ky = last ^ swapped;
+    }
+};
+
 /// The part of the test that depends on the ray alone; made once a ray.
-struct ShearedRay {
+struct ShearedRay : ShearAxes {
     Vec3d origin;
-    int kx, ky, kz;     ///< axes, renamed so that |direction[kz]| is largest
     double sx, sy, sz;  ///< the shear
 
     /// Precondition: is_traceable(ray).
-    explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
-        // By arithmetic, as nobody could predict the branches.
-        const Vec3d size = ray.direction.cwiseAbs();
-        const int y = size[1] > size[0], z = size[2] > std::max(size[0], size[1]);
-        kz = (y & ~z) + 2 * z;
-        const int next = 0b00'10'01 >> (2 * kz) & 3, last = 0b01'00'10 >> (2 * kz) & 3;
-        const int swapped = (next ^ last) & -static_cast<int>(ray.direction[kz] < 0);
-        kx = next ^ swapped;
-        ky = last ^ swapped;
-        sx = ray.direction[kx] / ray.direction[kz];
-        sy = ray.direction[ky] / ray.direction[kz];
-        sz = 1 / ray.direction[kz];
-    }
+    explicit ShearedRay(const Ray& ray)
+        : ShearAxes(ray.direction),
+          origin(ray.origin),
+          sx(ray.direction[kx] / ray.direction[kz]),
+          sy(ray.direction[ky] / ray.direction[kz]),
+          sz(1 / ray.direction[kz]) {}
 
     // The coordinates of a vertex in the sheared space.
     double x(const Vec3d& p) const { return (p[kx] - origin[kx]) - sx * (p[kz] - origin[kz]); }

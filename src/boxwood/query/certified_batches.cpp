@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "boxwood/query/certified_hits.h"
+#include "boxwood/query/hit_lanes.h"
 #include "boxwood/query/kernels/wide_walk.h"
 #include "boxwood/query/mesh_ray.h"
 #include "boxwood/query/near_ray.h"
@@ -20,9 +21,19 @@ constexpr std::size_t kAtATime = 1024;
 /// Those of some rays that a wavefront can answer.
 struct Questions {
     std::size_t count = 0;
-    std::uint32_t place[kAtATime];  ///< among all
-    CandidateRay ray[kAtATime];
+    std::uint32_t place[kAtATime];  ///< among those rays
+    Rayf ray[kAtATime];
+    float extra_rounding[kAtATime];
+    std::uint32_t skip[kAtATime];
     Candidates candidates[kAtATime];
+
+    void add(std::size_t i, const NearRay& near, std::uint32_t skipped) {
+        place[count] = static_cast<std::uint32_t>(i);
+        ray[count] = near.ray();
+        extra_rounding[count] = near.extra_rounding();
+        skip[count++] = skipped;
+    }
+    CandidateRays rays() const { return {ray, extra_rounding, skip}; }
 };
 
 /// Whether there is a wavefront for trees like this. Others are rare.
@@ -71,7 +82,7 @@ Hit closest_of(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     return closest;
 }
 
-bool any_of(MeshView mesh, const Ray& ray, const Candidates& candidates) {
+bool is_any_hit(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     if (candidates.count == Candidates::kSureHit) return true;
     const MeshRay mesh_ray(mesh, ray);
     for (std::uint32_t k = 0; k < candidates.count; ++k) {
@@ -80,40 +91,115 @@ bool any_of(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     return false;
 }
 
-/// Answers each ray: of(candidates, ray) where a wavefront has found them, one(ray) where it can't.
-template <class Answer, class Find, class Of, class One>
+/// Decides which candidates are hit first. Rays with one of them, which are most, are decided some
+/// at a time.
+class ClosestHits {
+public:
+    ClosestHits(MeshView mesh, const Questions& questions, std::span<const Ray> rays,
+                std::span<Hit> hits)
+        : mesh_(mesh), questions_(questions), rays_(rays), hits_(hits) {}
+
+    BOXWOOD_KERNEL void decide(std::size_t i) {
+        const Candidates& candidates = questions_.candidates[i];
+        const std::uint32_t place = questions_.place[i];
+        if (candidates.count != 1) {
+            hits_[place] = closest_of(mesh_, rays_[place], candidates);
+            return;
+        }
+        const std::uint32_t triangle = candidates.triangle[0];
+        lanes_.set(used_, rays_[place], mesh_.corner(triangle, 0), mesh_.corner(triangle, 1),
+                   mesh_.corner(triangle, 2));
+        question_[used_++] = static_cast<std::uint32_t>(i);
+        if (used_ == HitLanes::kLanes) decide_lanes();
+    }
+    BOXWOOD_KERNEL void finish() {
+        if (used_ > 0) decide_lanes();
+    }
+
+private:
+    BOXWOOD_KERNEL void decide_lanes() {
+        lanes_.test();
+        for (int lane = 0; lane < used_; ++lane) {
+            const Candidates& candidates = questions_.candidates[question_[lane]];
+            const std::uint32_t place = questions_.place[question_[lane]];
+            if (lanes_.is_missed(lane)) continue;
+            hits_[place] = lanes_.is_hit(lane)
+                               ? Hit{.t = lanes_.t[lane],
+                                     .u = lanes_.u[lane],
+                                     .v = lanes_.v[lane],
+                                     .triangle = candidates.triangle[0]}
+                               : closest_of(mesh_, rays_[place], candidates);
+        }
+        used_ = 0;
+    }
+
+    MeshView mesh_;
+    const Questions& questions_;
+    std::span<const Ray> rays_;
+    std::span<Hit> hits_;
+    HitLanes lanes_ = {};
+    std::uint32_t question_[HitLanes::kLanes];
+    int used_ = 0;
+};
+
+class AnyHits {
+public:
+    AnyHits(MeshView mesh, const Questions& questions, std::span<const Ray> rays,
+            std::span<bool> hits)
+        : mesh_(mesh), questions_(questions), rays_(rays), hits_(hits) {}
+
+    BOXWOOD_KERNEL void decide(std::size_t i) {
+        const std::uint32_t place = questions_.place[i];
+        hits_[place] = is_any_hit(mesh_, rays_[place], questions_.candidates[i]);
+    }
+    void finish() {}
+
+private:
+    MeshView mesh_;
+    const Questions& questions_;
+    std::span<const Ray> rays_;
+    std::span<bool> hits_;
+};
+
+/// Answers each ray: by what find() gives and Decisions make of it, or by one(ray) where it can't.
+template <class Decisions, class Answer, class One>
 void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
-            std::span<Answer> answers, const Find& find, const Of& of, const One& one) {
+            std::span<Answer> answers, decltype(RayKernels::closest_candidates) find,
+            const One& one) {
+    if (rays.size() < kFewRays || !has_wavefront(tree)) {
+        std::transform(rays.begin(), rays.end(), answers.begin(), one);
+        return;
+    }
     Questions questions;
     for (std::size_t begin = 0; begin < rays.size(); begin += kAtATime) {
-        const std::size_t end = std::min(begin + kAtATime, rays.size());
-        questions.count = 0;
+        const std::size_t size = std::min(kAtATime, rays.size() - begin);
+        const auto some = rays.subspan(begin, size);
+        const auto places = answers.subspan(begin, size);
         run_fused(tree.instruction_set(), [&] {
-            for (std::size_t i = begin; i < end; ++i) {
-                const Ray& ray = rays[i];
-                answers[i] = Answer{};
+            questions.count = 0;
+            for (std::size_t i = 0; i < size; ++i) {
+                const Ray& ray = some[i];
+                places[i] = Answer{};
                 if (!is_traceable(ray)) continue;
                 const NearRay near(tree, ray);
-                if (!near.can_leave_out()) {
-                    answers[i] = one(ray);
-                    continue;
-                }
-                questions.place[questions.count] = static_cast<std::uint32_t>(i - begin);
-                questions.ray[questions.count++] = {near.ray(), near.extra_rounding(),
-                                                    ray.skip.triangle};
+                if (near.can_leave_out())
+                    questions.add(i, near, ray.skip.triangle);
+                else
+                    places[i] = one(ray);
             }
         });
-        find(tree.view(), questions.ray, questions.candidates, questions.count);
+        find(tree.view(), questions.rays(), questions.candidates, questions.count);
         run_fused(tree.instruction_set(), [&] {
             const Lookahead lookahead(mesh, questions);
+            Decisions decisions(mesh, questions, some, places);
             for (std::size_t i = 0; i < questions.count; ++i) {
                 lookahead.before(i);
-                const std::size_t place = begin + questions.place[i];
-                const Candidates& candidates = questions.candidates[i];
-                answers[place] = candidates.count == Candidates::kTooMany
-                                     ? one(rays[place])
-                                     : of(rays[place], candidates);
+                if (questions.candidates[i].count != Candidates::kTooMany)
+                    decisions.decide(i);
+                else
+                    places[questions.place[i]] = one(some[questions.place[i]]);
             }
+            decisions.finish();
         });
     }
 }
@@ -122,28 +208,17 @@ void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
 
 void closest_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
                   std::span<Hit> hits) noexcept {
-    const auto one = [&](const Ray& ray) { return closest_hit(mesh, tree, ray).value_or(Hit{}); };
-    if (rays.size() < kFewRays || !has_wavefront(tree)) {
-        std::transform(rays.begin(), rays.end(), hits.begin(), one);
-        return;
-    }
-    const auto of = [&](const Ray& ray, const Candidates& candidates) {
-        return closest_of(mesh, ray, candidates);
-    };
-    answer(mesh, tree, rays, hits, ray_kernels(tree.instruction_set()).closest_candidates, of, one);
+    const auto find = ray_kernels(tree.instruction_set()).closest_candidates;
+    answer<ClosestHits>(mesh, tree, rays, hits, find, [&](const Ray& ray) {
+        return closest_hit(mesh, tree, ray).value_or(Hit{});
+    });
 }
 
 void any_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
               std::span<bool> hits) noexcept {
-    const auto one = [&](const Ray& ray) { return any_hit(mesh, tree, ray); };
-    if (rays.size() < kFewRays || !has_wavefront(tree)) {
-        std::transform(rays.begin(), rays.end(), hits.begin(), one);
-        return;
-    }
-    const auto of = [&](const Ray& ray, const Candidates& candidates) {
-        return any_of(mesh, ray, candidates);
-    };
-    answer(mesh, tree, rays, hits, ray_kernels(tree.instruction_set()).any_candidates, of, one);
+    const auto find = ray_kernels(tree.instruction_set()).any_candidates;
+    answer<AnyHits>(mesh, tree, rays, hits, find,
+                    [&](const Ray& ray) { return any_hit(mesh, tree, ray); });
 }
 
 }  // namespace boxwood

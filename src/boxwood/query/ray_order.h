@@ -12,28 +12,26 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxwood/query/rayf.h"
-
 namespace boxwood {
 
 /// The length of the rows, or 0 where the rays are too few, don't start at one point, or don't look
-/// like rows. ray_at(i) gives the i-th of `count` rays as a Rayf. It is called about twice as
-/// often as a row is long, and a few times where there are none.
+/// like rows. ray_at(i) gives the i-th of `count` rays, in float or double. It is called about
+/// twice as often as a row is long, and a few times where there are none.
 template <class RayAt>
 std::size_t row_length(std::size_t count, const RayAt& ray_at) {
     constexpr std::size_t kFewest = 8192, kShortest = 32, kLongest = std::size_t{1} << 16;
     constexpr float kJump = 8;  ///< in steps from ray to ray
     if (count < kFewest) return 0;
-    const Rayf first = ray_at(0);
-    const auto starts_there = [&](const Rayf& ray) {
+    const auto first = ray_at(0);
+    const auto starts_there = [&](const auto& ray) {
         return ray.origin[0] == first.origin[0] && ray.origin[1] == first.origin[1] &&
                ray.origin[2] == first.origin[2];
     };
     const auto apart = [&](std::size_t i, std::size_t j) {
-        const Rayf a = ray_at(i), b = ray_at(j);
-        const float x = a.direction[0] - b.direction[0], y = a.direction[1] - b.direction[1],
-                    z = a.direction[2] - b.direction[2];
-        return std::sqrt(x * x + y * y + z * z);
+        const auto a = ray_at(i), b = ray_at(j);
+        const auto x = a.direction[0] - b.direction[0], y = a.direction[1] - b.direction[1],
+                   z = a.direction[2] - b.direction[2];
+        return static_cast<float>(std::sqrt(x * x + y * y + z * z));
     };
     if (!starts_there(ray_at(count / 2)) || !starts_there(ray_at(count - 1))) return 0;
 
@@ -138,9 +136,10 @@ private:
 
 /// The rays and hits of a piece. One serves many pieces, so that memory is asked for once, and most
 /// pieces have one of two shapes: whole, or cut off at the end of the rows.
+template <class Ray, class Hit>
 struct RayPiece {
-    std::vector<Rayf> rays;
-    std::vector<Hitf> hits;  ///< as many as rays
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;  ///< as many as rays
 
     template <class RayAt>
     void take(const RayOrder& order, std::size_t piece, const RayAt& ray_at) {

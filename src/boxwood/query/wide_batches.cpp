@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many rays at a time, in arrays or in columns, on all cores.
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/put_hit.h"
-#include "boxwood/query/ray_order.h"
+#include "boxwood/query/ray_tiles.h"
 #include "boxwood/query/scaled_hits.h"
 #include "boxwood/query/wide_hits.h"
 
@@ -40,30 +38,21 @@ void trace(const WideTree& tree, std::span<const Rayf> rays, Hitf* hits) {
     }
 }
 
-using Pieces = tbb::enumerable_thread_specific<RayPiece>;
-
 /// Those of a camera, in tiles of its rows; false where rays come in no rows.
 template <class Rays, class Hits>
 bool trace_tiles(const WideTree& tree, const Rays& rays, const Hits& hits, std::size_t count,
                  const BatchOptions& options) {
-    const std::size_t row = row_length(count, [&](std::size_t i) { return rays[i]; });
-    if (row == 0) return false;
-    const RayOrder order(count, row);
-    Pieces pieces;
-    for_each_piece(order.pieces(), 1, options, [&](std::size_t i, std::size_t) {
-        RayPiece& piece = pieces.local();
-        piece.take(order, i, [&](std::size_t ray) { return rays[ray]; });
-        trace(tree, piece.rays, piece.hits.data());
-        piece.for_each([&](std::size_t in_batch, std::size_t in_piece) {
-            put_hit(hits, in_batch, piece.hits[in_piece]);
-        });
-    });
-    return true;
+    return answer_in_tiles<Rayf, Hitf>(
+        count, options, [&](std::size_t i) { return rays[i]; },
+        [&](std::span<const Rayf> some, std::span<Hitf> places) {
+            trace(tree, some, places.data());
+        },
+        [&](std::size_t i, const Hitf& hit) { put_hit(hits, i, hit); });
 }
 
 /// By way of an array, so that frusta take those rays that start at one point.
 void trace_in_array(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
-                    RayPiece& piece) {
+                    RayPiece<Rayf, Hitf>& piece) {
     for (std::size_t begin = 0; begin < rays.count; begin += RayOrder::kPiece) {
         const std::size_t size = std::min(RayOrder::kPiece, rays.count - begin);
         piece.rays.resize(size);
@@ -75,7 +64,8 @@ void trace_in_array(const WideTree& tree, const RayColumns& rays, const HitColum
 }
 
 /// Some rays in columns, on this thread.
-void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits, RayPiece& piece) {
+void trace(const WideTree& tree, const RayColumns& rays, const HitColumns& hits,
+           RayPiece<Rayf, Hitf>& piece) {
     if (!is_plain(tree)) {
         for (std::size_t i = 0; i < rays.count; ++i) put_hit(hits, i, hit_on_scaled(tree, rays[i]));
         return;
@@ -130,7 +120,7 @@ void closest_hits(const WideTree& tree, const RayColumns& rays, const HitColumns
                   const BatchOptions& options) {
     check_hit_places(rays.count, hits.count);
     if (is_plain(tree) && trace_tiles(tree, rays, hits, rays.count, options)) return;
-    Pieces pieces;
+    RayPieces<Rayf, Hitf> pieces;
     for_each_piece(rays.count, piece_of(rays.count), options,
                    [&](std::size_t begin, std::size_t end) {
                        const std::size_t size = end - begin;

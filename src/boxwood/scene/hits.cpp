@@ -7,16 +7,13 @@
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/closest_hit.h"
 #include "boxwood/query/hit_places.h"
+#include "boxwood/query/ray_tiles.h"
 #include "boxwood/scene/ask_instance.h"
 #include "boxwood/scene/scene.h"
 
 namespace boxwood {
 
 namespace {
-
-/// Rays between two looks at whether to go on: few, as by brute force each may take long, but
-/// enough for a wavefront.
-constexpr std::size_t kPiece = 1024;
 
 /// Keeps the closest of the hits on instances.
 class ClosestOfInstances {
@@ -89,19 +86,26 @@ const WideTree* Scene::only_tree(std::span<const Ray> rays) const {
 void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
                          const BatchOptions& options) const {
     check_hit_places(rays.size(), hits.size());
-    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
-        const auto some = rays.subspan(begin, end - begin);
+    const auto trace = [&](std::span<const Ray> some, std::span<Hit> places) {
         if (const WideTree* tree = only_tree(some))
-            return boxwood::closest_hits(meshes_[instances_[0].mesh], *tree, some,
-                                         hits.subspan(begin, some.size()));
-        for (std::size_t i = begin; i < end; ++i) hits[i] = closest_hit(rays[i]).value_or(Hit{});
+            return boxwood::closest_hits(meshes_[instances_[0].mesh], *tree, some, places);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            places[i] = closest_hit(some[i]).value_or(Hit{});
+    };
+    const bool is_in_tiles =
+        only_tree() && answer_in_tiles<Ray, Hit>(
+                           rays.size(), options, [&](std::size_t i) { return rays[i]; }, trace,
+                           [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
+    if (is_in_tiles) return;
+    for_each_piece(rays.size(), rays_at_a_time(), options, [&](std::size_t begin, std::size_t end) {
+        trace(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));
     });
 }
 
 void Scene::any_hits(std::span<const Ray> rays, std::span<bool> hits,
                      const BatchOptions& options) const {
     check_hit_places(rays.size(), hits.size());
-    for_each_piece(rays.size(), kPiece, options, [&](std::size_t begin, std::size_t end) {
+    for_each_piece(rays.size(), rays_at_a_time(), options, [&](std::size_t begin, std::size_t end) {
         const auto some = rays.subspan(begin, end - begin);
         if (const WideTree* tree = only_tree(some))
             return boxwood::any_hits(meshes_[instances_[0].mesh], *tree, some,

@@ -6,7 +6,8 @@
 #include "boxwood/query/kernels/candidates.h"
 #include "boxwood/query/kernels/closest_hit.h"
 #include "boxwood/query/kernels/closest_point.h"
-#include "boxwood/query/kernels/frustum.h"
+#include "boxwood/query/kernels/frustum_candidates.h"
+#include "boxwood/query/kernels/frustum_hits.h"
 #include "boxwood/query/kernels/overlaps.h"
 #include "boxwood/query/kernels/wavefront.h"
 #include "boxwood/query/kernels/wavefront_candidates.h"
@@ -57,11 +58,14 @@ BOXWOOD_KERNEL void fetch_ahead(const T* first, std::size_t count) {
     for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(first + i, 0, 2);
 }
 
-template <class S>
-void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
-                  std::size_t count) noexcept {
-    constexpr std::size_t kGroup = Frustum<S>::kRays;
-    Frustum<S> frustum(tree);
+/// Groups of rays that start at one point go by frusta, all others in runs by others(begin, end).
+/// are_plain(begin, end) says whether such rays may go by a frustum.
+template <class S, class Rule, class Answer, class ArePlain, class Others>
+BOXWOOD_KERNEL void answer_by_groups(const WideTreeView& tree, const Rayf* rays, Answer* answers,
+                                     std::size_t count, const ArePlain& are_plain,
+                                     const Others& others) {
+    constexpr std::size_t kGroup = Frustum<S, Rule>::kRays;
+    Frustum<S, Rule> frustum(tree);
     std::size_t begin = 0;   // of the rays that were passed over
     std::size_t passes = 0;  // groups to pass over before the next try ...
     std::size_t dense = 0;   // ... and after it, should it be dense
@@ -70,21 +74,32 @@ void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
             --passes;
             continue;
         }
-        if (tree.bytes > Frustum<S>::kLargestTree || !share_origin(rays[i], rays[i + kGroup - 1]) ||
+        if (tree.bytes > Frustum<S, Rule>::kLargestTree ||
+            !share_origin(rays[i], rays[i + kGroup - 1]) || !are_plain(i, i + kGroup) ||
             !frustum.load(rays + i))
             continue;
         if (i + 2 * kGroup <= count) fetch_ahead(rays + i + kGroup, kGroup);
-        fetch_ahead(hits + i, kGroup);
+        fetch_ahead(answers + i, kGroup);
         if (!frustum.run(kMostStepsPerRay * kGroup)) {
             passes = dense = dense < kMostPasses ? 2 * dense + 1 : dense;
             continue;
         }
         dense = 0;
-        closest_hits_of_any<S>(tree, rays + begin, hits + begin, i - begin);
-        frustum.write(hits + i);
+        others(begin, i);
+        frustum.write(answers + i);
         begin = i + kGroup;
     }
-    closest_hits_of_any<S>(tree, rays + begin, hits + begin, count - begin);
+    others(begin, count);
+}
+
+template <class S>
+void closest_hits(const WideTreeView& tree, const Rayf* rays, Hitf* hits,
+                  std::size_t count) noexcept {
+    const auto others = [&](std::size_t begin, std::size_t end) {
+        closest_hits_of_any<S>(tree, rays + begin, hits + begin, end - begin);
+    };
+    const auto all_are_plain = [](std::size_t, std::size_t) { return true; };
+    answer_by_groups<S, FrustumHits<S>>(tree, rays, hits, count, all_are_plain, others);
 }
 
 template <class S>
@@ -101,6 +116,30 @@ void closest_hits_in_columns(const WideTreeView& tree, const RayColumns& rays,
 template <class S>
 void any_hits_in_columns(const WideTreeView& tree, const RayColumns& rays, bool* hits) noexcept {
     any_hits_of_any<S>(tree, rays, hits, rays.count);
+}
+
+template <class S>
+void closest_candidates(const WideTreeView& tree, const CandidateRays& rays, Candidates* candidates,
+                        std::size_t count) noexcept {
+    const auto others = [&](std::size_t begin, std::size_t end) {
+        const CandidatesOfRays<S, false> query = {tree, rays.from(begin), candidates + begin};
+        if (begin < end) Wavefront<S, CandidatesOfRays<S, false>>(tree, query, end - begin).run();
+    };
+    // Frusta know of no other rounding than that to float, and skip nothing.
+    const auto are_plain = [&](std::size_t begin, std::size_t end) {
+        bool is_plain = true;
+        for (std::size_t i = begin; i < end; ++i)
+            is_plain &= (rays.extra_rounding[i] == 0) & (rays.skip[i] == Hitf::kNone);
+        return is_plain;
+    };
+    answer_by_groups<S, FrustumCandidates<S>>(tree, rays.ray, candidates, count, are_plain, others);
+}
+
+template <class S>
+void any_candidates(const WideTreeView& tree, const CandidateRays& rays, Candidates* candidates,
+                    std::size_t count) noexcept {
+    const CandidatesOfRays<S, true> query = {tree, rays, candidates};
+    Wavefront<S, CandidatesOfRays<S, true>>(tree, query, count).run();
 }
 
 }  // namespace boxwood

@@ -16,18 +16,21 @@ BOXWOOD_KERNEL float candidate_error(const RaySetup& ray, float extra_rounding) 
     return 0.5f * ray.rounding + 1.5f * extra_rounding;
 }
 
-/// The triangles of a block against a ray that is, as the triangles are, less than `error` off in
-/// each sheared coordinate.
+/// In each lane a ray and a triangle that are less than `error` off in each sheared coordinate.
 template <class S>
 class CandidateTest {
 public:
     using Float = typename S::Float;
 
+    /// One ray and the triangles of a block.
     BOXWOOD_KERNEL CandidateTest(const TriangleBlock<S::kWidth>& block, const RaySetup& ray,
                                  float error)
+        : CandidateTest({block.corner[0], ray}, {block.corner[1], ray}, {block.corner[2], ray},
+                        S::broadcast(ray.sz), error) {}
+
+    BOXWOOD_KERNEL CandidateTest(const ShearedCorner<S>& a, const ShearedCorner<S>& b,
+                                 const ShearedCorner<S>& c, Float sz, float error)
         : error_(error) {
-        const ShearedCorner<S> a(block.corner[0], ray), b(block.corner[1], ray),
-            c(block.corner[2], ray);
         u_ = c.x * b.y - c.y * b.x;
         v_ = a.x * c.y - a.y * c.x;
         w_ = b.x * a.y - b.y * a.x;
@@ -39,7 +42,6 @@ public:
         const Float largest = S::max(S::max(size(a), size(b)), size(c));
         margin_ = (S::broadcast(2 * error) + S::broadcast(0x1.2p-23f) * largest) * largest +
                   S::broadcast(2 * error * error);
-        const Float sz = S::broadcast(ray.sz);
         az_ = sz * a.z;
         bz_ = sz * b.z;
         cz_ = sz * c.z;
@@ -48,9 +50,9 @@ public:
     }
 
     /// The lanes that may be hit within [t_min, farthest].
-    BOXWOOD_KERNEL unsigned may_be_hit(float t_min, float farthest) const {
+    BOXWOOD_KERNEL unsigned may_be_hit(float t_min, Float farthest) const {
         return (S::less_equal(-margin_, least_) | S::less_equal(greatest_, margin_)) &
-               S::less_equal(first_, S::broadcast(farthest + 2 * error_)) &
+               S::less_equal(first_, farthest + S::broadcast(2 * error_)) &
                S::less_equal(S::broadcast(t_min - 2 * error_), last_);
     }
 
@@ -94,7 +96,8 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
     TriangleBlock<N> room;
     walk<S>(tree, setup, node_ray, farthest, [&](WideReference reference) {
         const TriangleBlock<N>& block = block_at<N>(tree, reference, room);
-        const unsigned mask = CandidateTest<S>(block, setup, error).may_be_hit(ray.t_min, farthest);
+        const unsigned mask =
+            CandidateTest<S>(block, setup, error).may_be_hit(ray.t_min, S::broadcast(farthest));
         if (mask != 0) farthest = visitor.visit(visitor.context, block.triangle, mask);
     });
 }

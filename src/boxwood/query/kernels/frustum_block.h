@@ -12,6 +12,13 @@
 
 namespace boxwood {
 
+/// How the rays of a packet see a triangle: by how much each passes inside, and within which bounds
+/// its inverse depth is.
+template <class S>
+struct Sight {
+    typename S::Float inside, lo, hi;
+};
+
 template <class S>
 struct BlockInView {
     static constexpr int N = S::kWidth;
@@ -34,8 +41,18 @@ struct BlockInView {
             S::multiply_add(S::broadcast(y[i][j]), S::load(slopes_y), S::broadcast(w[i][j])));
     }
 
+    BOXWOOD_KERNEL Sight<S> sight(const FrustumRays<S>& rays, int packet, int j) const {
+        const auto at = [&](int k) {
+            return function(k, j, rays.slope_x[packet], rays.slope_y[packet]);
+        };
+        const Float depth = at(3), error = S::broadcast(depth_error[j]);
+        return {S::min(S::min(at(0), at(1)), at(2)), depth - error, depth + error};
+    }
+
     /// Looks at the block. Packet p sees nothing of an inverse depth below nearest[p], none of them
-    /// below group_nearest.
+    /// below group_nearest. The bounds hold for triangles and rays as they are in float or, with
+    /// kIsRounded, for those in double that were rounded.
+    template <bool kIsRounded>
     BOXWOOD_KERNEL void look(const TriangleBlock<N>& block, const FrustumRays<S>& rays,
                              unsigned packets, const float* nearest, float group_nearest) {
         Float px[3], py[3], pz[3];
@@ -70,12 +87,20 @@ struct BlockInView {
         const Float area = edge_size * edge_size;
         // The volume is wrong by less than 2^-18 of this.
         const Float reach = corner_size * area;
+        // What the rounding of corners and origin adds to that, and to edge functions.
+        const Float off = S::broadcast(kIsRounded ? rays.coordinate_rounding : 0);
+        const Float volume_off =
+            S::broadcast(8) * off * edge_size * (edge_size + S::broadcast(4) * corner_size);
+        const Float edge_off = S::broadcast(36) * off * (edge_size + corner_size);
         const Float front = S::min(S::min(pz[0], pz[1]), pz[2]) - S::broadcast(rays.rounding);
         // Below these, products have lost digits to underflow.
         const Float least_area = S::broadcast(0x1p-80f), least_volume = S::broadcast(0x1p-90f);
-        const unsigned sure =
+        unsigned sure =
             S::less(S::max(S::broadcast(0x1p-14f) * reach, least_volume), size(volume)) &
             S::less(least_area, area) & S::less_equal(S::broadcast(rays.least_depth), front);
+        if constexpr (kIsRounded)
+            sure &= S::less(S::broadcast(16) * volume_off, size(volume)) &
+                    S::less(S::broadcast(16) * off, edge_size);
         const Float zero = S::broadcast(0), infinity = S::broadcast(__builtin_inff());
         const Float inverse = S::broadcast(1) / volume;
         for (int k = 0; k < 3; ++k) e[3][k] = S::select(sure, n[k] * inverse, zero);
@@ -95,14 +120,17 @@ struct BlockInView {
                  S::max(e[i][1] * S::broadcast(rays.lo_y), e[i][1] * S::broadcast(rays.hi_y))) +
                 e[i][2];
         }
-        const Float edge_error =
+        Float edge_error =
             S::max(S::broadcast(0x1p-16f) * edge_size * corner_size, S::broadcast(0x1p-96f));
+        if constexpr (kIsRounded) edge_error = edge_error + edge_off;
         const Float lowest = S::select(sure, -edge_error, -infinity);
-        const Float error = S::select(sure,
-                                      (S::broadcast(0x1p-17f) * area +
-                                       S::broadcast(0x1p-16f) * reach * S::max(most[3], zero)) *
-                                          size(inverse),
-                                      infinity);
+        const Float nearest_here = S::max(most[3], zero);
+        Float plane_error =
+            S::broadcast(0x1p-17f) * area + S::broadcast(0x1p-16f) * reach * nearest_here;
+        if constexpr (kIsRounded)
+            plane_error = plane_error + (S::broadcast(40) * off * edge_size +
+                                         S::broadcast(1.1f) * volume_off * nearest_here);
+        const Float error = S::select(sure, plane_error * size(inverse), infinity);
         S::store(margin, edge_error);
         S::store(least, lowest);
         S::store(depth_error, error);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boxwood/query/kernels/ray_setup.h"
+#include "boxwood/query/kernels/triangle_block.h"
 
 namespace boxwood {
 
@@ -24,6 +25,9 @@ struct FrustumRays {
     float origin[3], t_min;
     float sign;                                      ///< of the directions along kz
     float rounding;                                  ///< by which boxes are moved outward
+    float coordinate_rounding;                       ///< of corners and of the origin together
+    float candidate_error;                           ///< as CandidateTest takes it
+    float least_t;                                   ///< what is there lies beyond t_min for sure
     float least_depth;                               ///< what is beyond that is beyond t_min
     float lo_x, hi_x, lo_y, hi_y;                    ///< slopes of the group
     alignas(64) float range_x[2][N], range_y[2][N];  ///< of each packet: the least, the greatest
@@ -50,6 +54,9 @@ struct FrustumRays {
         // More than the bound for single rays: rays are followed here by their slopes, which are
         // rounded.
         rounding = 3 * setup.rounding;
+        coordinate_rounding = 0x1p-5f * setup.rounding;
+        candidate_error = 0.5f * setup.rounding;
+        least_t = t_min * (1 + 0x1p-22f) + 4 * candidate_error;
         sign = first.direction[axis[2]] < 0 ? -1.0f : 1.0f;
 
         is_endless = true;
@@ -59,10 +66,23 @@ struct FrustumRays {
         return fits == kAll && find_ranges();
     }
 
+    /// A corner, given from the origin along the axes of the group, as the rays of a packet see it.
+    BOXWOOD_KERNEL ShearedCorner<S> sheared(int packet, Float x, Float y, Float z) const {
+        if (all_along_z[packet])
+            return ShearedCorner<S>(x, y, z, S::load(sx[packet]), S::load(sy[packet]));
+        return ShearedCorner<S>(turned(packet, y, z, x), turned(packet, z, x, y),
+                                turned(packet, x, y, z), S::load(sx[packet]), S::load(sy[packet]));
+    }
+
     /// What rays of a packet take that are longest along x, along y and along z. Precondition: not
     /// all_along_z.
     BOXWOOD_KERNEL Float turned(int packet, Float by_x, Float by_y, Float by_z) const {
         return S::select(along_x[packet], by_x, S::select(along_y[packet], by_y, by_z));
+    }
+
+    /// Of points at t on the rays of a packet.
+    BOXWOOD_KERNEL Float inverse_depth(int packet, Float t) const {
+        return S::broadcast(1) / (t * S::load(depth[packet]));
     }
 
 private:

@@ -18,11 +18,15 @@ struct CandidateVisitor {
     float (*visit)(void* context, const std::uint32_t* triangles, unsigned mask) noexcept;
 };
 
-/// A ray in double as the tree sees it: see near_ray.h.
-struct CandidateRay {
-    Rayf ray;
-    float extra_rounding;  ///< how far off it may be besides its own rounding
-    std::uint32_t skip;    ///< a triangle that it doesn't see
+/// Rays in double as the tree sees them: see near_ray.h. Arrays that are equally long.
+struct CandidateRays {
+    const Rayf* ray;
+    const float* extra_rounding;  ///< how far off it may be besides its own rounding
+    const std::uint32_t* skip;    ///< a triangle that it doesn't see
+
+    BOXWOOD_KERNEL CandidateRays from(std::size_t begin) const {
+        return {ray + begin, extra_rounding + begin, skip + begin};
+    }
 };
 
 /// Triangles one of which is the answer, or none, decided in double; some may be there twice.
@@ -67,9 +71,9 @@ struct RayKernels {
                             const CandidateVisitor& visitor) noexcept;
     /// What may be the closest hits of rays, and what may be any hits, or surely is one.
     /// Precondition: the tree needs no more than kWavefrontStack places.
-    void (*closest_candidates)(const WideTreeView& tree, const CandidateRay* rays,
+    void (*closest_candidates)(const WideTreeView& tree, const CandidateRays& rays,
                                Candidates* candidates, std::size_t count) noexcept;
-    void (*any_candidates)(const WideTreeView& tree, const CandidateRay* rays,
+    void (*any_candidates)(const WideTreeView& tree, const CandidateRays& rays,
                            Candidates* candidates, std::size_t count) noexcept;
     /// Visits each triangle that may be the nearest to the point and no farther than
     /// query.farthest. A visit returns the distance of the nearest so far, or beyond which nothing

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "boxwood/query/kernels/candidates.h"
-#include "boxwood/query/kernels/wavefront.h"
 
 namespace boxwood {
 
@@ -22,16 +21,17 @@ struct CandidatesSoFar {
     std::uint32_t triangle[Candidates::kMost + N];
     float nearest[Candidates::kMost + N];
 
-    BOXWOOD_KERNEL void start(const CandidateRay& ray, const RaySetup& setup) {
+    BOXWOOD_KERNEL void start(const Rayf& ray, float ray_error, std::uint32_t skipped) {
         const auto inward = [&](float limit, float sign) {
             const float size = __builtin_fabsf(limit);
-            return size < __builtin_inff() ? limit + sign * (0x1p-22f * size + 4 * error) : limit;
+            return size < __builtin_inff() ? limit + sign * (0x1p-22f * size + 4 * ray_error)
+                                           : limit;
         };
-        t = ray.ray.t_max;
-        error = candidate_error(setup, ray.extra_rounding);
-        sure_min = inward(ray.ray.t_min, 1);
-        sure_max = inward(ray.ray.t_max, -1);
-        skip = ray.skip;
+        t = ray.t_max;
+        error = ray_error;
+        sure_min = inward(ray.t_min, 1);
+        sure_max = inward(ray.t_max, -1);
+        skip = skipped;
         count = 0;
     }
 
@@ -75,24 +75,24 @@ struct CandidatesOfRays {
     static constexpr bool kNearestFirst = !kAnyHit;
 
     const WideTreeView& tree;
-    const CandidateRay* rays;
+    CandidateRays rays;
     Candidates* candidates;
 
     BOXWOOD_KERNEL bool start(std::size_t i, RaySetup& setup, State& state) const {
-        const CandidateRay& ray = rays[i];
-        if (!is_traceable<typename S::Quad>(ray.ray)) {
+        const Rayf& ray = rays.ray[i];
+        if (!is_traceable<typename S::Quad>(ray)) {
             candidates[i].count = 0;
             return false;
         }
-        setup.set<typename S::Quad>(ray.ray, tree, ray.extra_rounding);
-        state.start(ray, setup);
+        setup.set<typename S::Quad>(ray, tree, rays.extra_rounding[i]);
+        state.start(ray, candidate_error(setup, rays.extra_rounding[i]), rays.skip[i]);
         return true;
     }
 
     BOXWOOD_KERNEL bool visit(const TriangleBlock<S::kWidth>& block, WideReference,
                               const RaySetup& setup, State& state) const {
         const CandidateTest<S> test(block, setup, state.error);
-        unsigned mask = test.may_be_hit(setup.t_min, state.t);
+        unsigned mask = test.may_be_hit(setup.t_min, S::broadcast(state.t));
         if (mask == 0) return false;
         mask &= ~S::equal(S::load(block.triangle), S::broadcast_integer(state.skip));
         const unsigned sure =
@@ -113,11 +113,5 @@ struct CandidatesOfRays {
         state.write(candidates[i]);
     }
 };
-
-template <class S, bool kAnyHit>
-void candidates_of(const WideTreeView& tree, const CandidateRay* rays, Candidates* candidates,
-                   std::size_t count) noexcept {
-    Wavefront<S, CandidatesOfRays<S, kAnyHit>>(tree, {tree, rays, candidates}, count).run();
-}
 
 }  // namespace boxwood
