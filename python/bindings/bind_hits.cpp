@@ -26,7 +26,7 @@ void for_each_piece(Watch& watch, const RayArrays& arrays, std::size_t size, con
     watch.for_each_piece(size, [&](std::size_t begin, std::size_t end) {
         std::vector<Ray>& rays = pieces.local();
         rays.resize(end - begin);
-        for (std::size_t i = begin; i < end; ++i) rays[i - begin] = arrays[i];
+        arrays.gather(begin, rays);
         store(begin, std::span<const Ray>(rays));
     });
 }
@@ -72,9 +72,10 @@ void closest_hit(const PyScene& scene, const RayArrays& arrays, const ValuesOut<
     };
     run_watched(arrays.size(), progress, [&](Watch& watch) {
         const Gate::Query query(scene.gate);
-        const bool is_in_tiles = answer_in_tiles<Ray, Hit>(
-            arrays.size(), watch.options(arrays.size()), [&](std::size_t i) { return arrays[i]; },
-            trace, put);
+        const bool is_in_tiles = scene.scene().likes_tiles() &&
+                                 answer_in_tiles<Ray, Hit>(
+                                     arrays.size(), watch.options(arrays.size()),
+                                     [&](std::size_t i) { return arrays[i]; }, trace, put);
         if (is_in_tiles) return;
         const std::size_t size = scene.scene().rays_at_a_time();
         for_each_piece(watch, arrays, size, [&](std::size_t begin, std::span<const Ray> rays) {

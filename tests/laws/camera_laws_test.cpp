@@ -16,6 +16,7 @@
 #include "boxwood/query/wide_tree.h"
 #include "cases.h"
 #include "laws/accelerators.h"
+#include "laws/all_trees.h"
 #include "laws/hits.h"
 #include "laws/random.h"
 
@@ -78,15 +79,28 @@ std::vector<Ray> camera(MeshView mesh, std::uint64_t seed) {
     return rays;
 }
 
+/// For each instruction set a plain one, a compact one, and one in which triangles are in several
+/// leaves.
+std::vector<NamedTree> trees_of(MeshView mesh, const Tree& tree) {
+    const Tree split = build_tree(mesh, {.method = BuildMethod::spatial_split});
+    std::vector<NamedTree> trees;
+    for (const auto& [name, set] : instruction_sets()) {
+        if (!is_supported(set)) continue;
+        const std::string set_name(name);
+        trees.push_back({set_name, WideTree(mesh, tree, {.instruction_set = set})});
+        trees.push_back({set_name + ", compact",
+                         WideTree(mesh, tree, {.instruction_set = set, .compact = true})});
+        trees.push_back({set_name + ", split", WideTree(mesh, split, {.instruction_set = set})});
+    }
+    return trees;
+}
+
 TEST(CameraLaws, batches_in_double_have_the_bits_of_single_rays) {
     std::size_t hits_seen = 0, rays_asked = 0;
     for (const Seen& seen : what_is_seen()) {
         const MeshView mesh = seen.mesh;
         const Tree tree = build_tree(mesh);
-        std::vector<std::pair<std::string, WideTree>> trees;
-        for (const auto& [name, set] : instruction_sets())
-            if (is_supported(set))
-                trees.emplace_back(name, WideTree(mesh, tree, {.instruction_set = set}));
+        const std::vector<NamedTree> trees = trees_of(mesh, tree);
         for (std::uint64_t seed = 0; seed < cases(120); ++seed) {
             std::vector<Ray> rays = camera(mesh, seed);
             // Some see through what they would see first.

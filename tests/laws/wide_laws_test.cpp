@@ -83,12 +83,11 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     }
 }
 
-/// Rays of all sorts, with tiles of a camera among them, so that every kernel has its share.
+/// Tiles of a camera, which begin where groups do, and rays of all sorts, so that every kernel has
+/// its share.
 std::vector<Ray> many_rays(const TriangleMesh& mesh) {
     constexpr std::uint64_t kTiles = kIsSanitized ? 3 : 12;
     std::vector<Ray> rays;
-    for (std::uint64_t seed = 0; seed < cases(300); ++seed)
-        rays.push_back(ray_from_near_or_far(mesh, seed));
     for (std::uint64_t seed = 1000; seed < 1000 + kTiles; ++seed) {
         // A tile of 16 x 16 rays about a ray, in packets of 4 x 4.
         const Ray center = random_ray(mesh, seed);
@@ -103,8 +102,8 @@ std::vector<Ray> many_rays(const TriangleMesh& mesh) {
             rays.push_back(ray);
         }
     }
-    for (std::uint64_t seed = 300; seed < 300 + cases(200); ++seed)
-        rays.push_back(random_ray(mesh, seed));
+    for (std::uint64_t seed = 0; seed < cases(500); ++seed)
+        rays.push_back(ray_from_near_or_far(mesh, seed));
     return rays;
 }
 

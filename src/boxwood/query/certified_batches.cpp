@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays in double, many at a time: a wavefront in float finds the candidates of each, and these are
-// decided in double one ray after another, so that no ray waits for the mesh's memory. Explained in
-// docs/algorithms/certified_hits.md.
+// Rays in double, many at a time: frusta and a wavefront in float find the candidates of each, and
+// these are decided in double, apart from the walk, so that no ray waits for the mesh's memory.
+// Explained in docs/algorithms/certified_hits.md.
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/hit_lanes.h"
+#include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/kernels/wide_walk.h"
 #include "boxwood/query/mesh_ray.h"
 #include "boxwood/query/near_ray.h"
@@ -15,17 +17,14 @@ namespace boxwood {
 
 namespace {
 
-/// Rays that are in the caches together with their candidates.
-constexpr std::size_t kAtATime = 1024;
-
-/// Those of some rays that a wavefront can answer.
+/// Those of some rays that have to be looked at, but can't come from too far away.
 struct Questions {
     std::size_t count = 0;
-    std::uint32_t place[kAtATime];  ///< among those rays
-    Rayf ray[kAtATime];
-    float extra_rounding[kAtATime];
-    std::uint32_t skip[kAtATime];
-    Candidates candidates[kAtATime];
+    std::uint32_t place[kCertifiedAtATime];  ///< among those rays
+    Rayf ray[kCertifiedAtATime];
+    float extra_rounding[kCertifiedAtATime];
+    std::uint32_t skip[kCertifiedAtATime];
+    Candidates candidates[kCertifiedAtATime];
 
     void add(std::size_t i, const NearRay& near, std::uint32_t skipped) {
         place[count] = static_cast<std::uint32_t>(i);
@@ -36,8 +35,8 @@ struct Questions {
     CandidateRays rays() const { return {ray, extra_rounding, skip}; }
 };
 
-/// Whether there is a wavefront for trees like this. Others are rare.
-bool has_wavefront(const WideTree& tree) {
+/// Whether there are kernels for many rays for trees like this. Others are rare.
+bool has_kernels(const WideTree& tree) {
     return !tree.is_empty() && tree.scale() == 1 && tree.view().stack_size <= kWavefrontStack;
 }
 
@@ -123,12 +122,11 @@ private:
             const Candidates& candidates = questions_.candidates[question_[lane]];
             const std::uint32_t place = questions_.place[question_[lane]];
             if (lanes_.is_missed(lane)) continue;
-            hits_[place] = lanes_.is_hit(lane)
-                               ? Hit{.t = lanes_.t[lane],
-                                     .u = lanes_.u[lane],
-                                     .v = lanes_.v[lane],
-                                     .triangle = candidates.triangle[0]}
-                               : closest_of(mesh_, rays_[place], candidates);
+            hits_[place] = lanes_.is_hit(lane) ? Hit{.t = lanes_.t[lane],
+                                                     .u = lanes_.u[lane],
+                                                     .v = lanes_.v[lane],
+                                                     .triangle = candidates.triangle[0]}
+                                               : closest_of(mesh_, rays_[place], candidates);
         }
         used_ = 0;
     }
@@ -166,13 +164,13 @@ template <class Decisions, class Answer, class One>
 void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
             std::span<Answer> answers, decltype(RayKernels::closest_candidates) find,
             const One& one) {
-    if (rays.size() < kFewRays || !has_wavefront(tree)) {
+    if (rays.size() < kFewRays || !has_kernels(tree)) {
         std::transform(rays.begin(), rays.end(), answers.begin(), one);
         return;
     }
     Questions questions;
-    for (std::size_t begin = 0; begin < rays.size(); begin += kAtATime) {
-        const std::size_t size = std::min(kAtATime, rays.size() - begin);
+    for (std::size_t begin = 0; begin < rays.size(); begin += kCertifiedAtATime) {
+        const std::size_t size = std::min(kCertifiedAtATime, rays.size() - begin);
         const auto some = rays.subspan(begin, size);
         const auto places = answers.subspan(begin, size);
         run_fused(tree.instruction_set(), [&] {

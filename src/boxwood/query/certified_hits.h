@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -21,7 +22,11 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
 /// any_hit() of query/any_hit.h.
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
 
-/// The same for each ray, Hit{} where there is none, on this thread: twice as fast as one by one.
+/// How many rays the functions below take up at a time; fewer are slower each.
+constexpr std::size_t kCertifiedAtATime = 2048;
+
+/// The same for each ray, Hit{} where there is none, on this thread: up to 2.4 times as fast as one
+/// by one, a camera's rays in tiles as closest_hits() of query/wide_hits.h likes them.
 /// Precondition: as many places as rays.
 void closest_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
                   std::span<Hit> hits) noexcept;

@@ -31,8 +31,9 @@ public:
         t_max_[lane] = ray.t_max;
     }
 
-    /// Makes the tests. Where is_hit(lane) then, the triangle is hit well inside, at t, u and v that
-    /// have the bits of intersect(), and where is_missed(lane), it isn't. Else it has to be asked.
+    /// Makes the tests. Where is_hit(lane) then, the triangle is hit well inside, at t, u and v
+    /// that have the bits of intersect(), and where is_missed(lane), it isn't. Else it has to be
+    /// asked.
     BOXWOOD_KERNEL void test() {
         for (int i = 0; i < kLanes; ++i) {
             const double sx = direction_[0][i] / direction_[2][i];
@@ -41,23 +42,24 @@ public:
             const double ax = a_[0][i] - sx * a_[2][i], ay = a_[1][i] - sy * a_[2][i];
             const double bx = b_[0][i] - sx * b_[2][i], by = b_[1][i] - sy * b_[2][i];
             const double cx = c_[0][i] - sx * c_[2][i], cy = c_[1][i] - sy * c_[2][i];
-            const double u = difference_of_products(cx, by, cy, bx);
-            const double v = difference_of_products(ax, cy, ay, cx);
-            const double w = difference_of_products(bx, ay, by, ax);
-            const double determinant = u + v + w;
-            const double t =
-                (u * (sz * a_[2][i]) + v * (sz * b_[2][i]) + w * (sz * c_[2][i])) / determinant;
+            const double at_a = difference_of_products(cx, by, cy, bx);
+            const double at_b = difference_of_products(ax, cy, ay, cx);
+            const double at_c = difference_of_products(bx, ay, by, ax);
+            const double sum = at_a + at_b + at_c;
+            const double distance =
+                (at_a * (sz * a_[2][i]) + at_b * (sz * b_[2][i]) + at_c * (sz * c_[2][i])) / sum;
             // So far from an edge that no product lost its digits to underflow.
             constexpr double kLeast = 1e-90;
-            const double least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w);
+            const double least = std::min(std::min(at_a, at_b), at_c),
+                         most = std::max(std::max(at_a, at_b), at_c);
             const bool inside = (least > kLeast) | (most < -kLeast);
             const bool outside = (least < -kLeast) & (most > kLeast);
-            const bool in_range = (t_min_[i] <= t) & (t <= t_max_[i]);
+            const bool in_range = (t_min_[i] <= distance) & (distance <= t_max_[i]);
             hit_[i] = inside & in_range ? 1 : 0;
             missed_[i] = outside | (inside & !in_range) ? 1 : 0;
-            this->t[i] = t;
-            this->u[i] = v / determinant;
-            this->v[i] = w / determinant;
+            t[i] = distance;
+            u[i] = at_b / sum;
+            v[i] = at_c / sum;
         }
     }
 

@@ -73,6 +73,8 @@ bool Scene::any_hit(const Ray& ray) const noexcept {
     return found;
 }
 
+std::size_t Scene::rays_at_a_time() const { return wide_trees_.empty() ? 256 : kCertifiedAtATime; }
+
 const WideTree* Scene::only_tree(std::span<const Ray> rays) const {
     const WideTree* tree = only_tree();
     const auto sees_it = [&](const Ray& ray) {
@@ -93,9 +95,9 @@ void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
             places[i] = closest_hit(some[i]).value_or(Hit{});
     };
     const bool is_in_tiles =
-        only_tree() && answer_in_tiles<Ray, Hit>(
-                           rays.size(), options, [&](std::size_t i) { return rays[i]; }, trace,
-                           [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
+        likes_tiles() && answer_in_tiles<Ray, Hit>(
+                             rays.size(), options, [&](std::size_t i) { return rays[i]; }, trace,
+                             [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
     if (is_in_tiles) return;
     for_each_piece(rays.size(), rays_at_a_time(), options, [&](std::size_t begin, std::size_t end) {
         trace(rays.subspan(begin, end - begin), hits.subspan(begin, end - begin));

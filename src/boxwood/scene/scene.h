@@ -77,9 +77,10 @@ public:
     /// any_hit() of each ray, likewise.
     void any_hits(std::span<const Ray> rays, std::span<bool> hits,
                   const BatchOptions& options = {}) const;
-    /// How many rays these take up at a time: fewer are slower each, and without a tree each takes
-    /// long.
-    std::size_t rays_at_a_time() const { return wide_trees_.empty() ? 256 : 1024; }
+    /// How many rays these take up at a time, and whether closest_hits() is faster for those of a
+    /// camera in tiles. Without a tree each ray takes long, so they are few.
+    std::size_t rays_at_a_time() const;
+    bool likes_tiles() const { return only_tree() != nullptr; }
 
     /// Hits in float for rays in float. Where the scene is one instance at the identity, without
     /// culling, the answers are those of query/wide_hits.h: the mesh's vertices are rounded to

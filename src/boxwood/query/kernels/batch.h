@@ -12,6 +12,7 @@
 #include "boxwood/query/kernels/wavefront.h"
 #include "boxwood/query/kernels/wavefront_candidates.h"
 #include "boxwood/query/kernels/wavefront_hits.h"
+#include "boxwood/query/put_hit.h"
 
 namespace boxwood {
 

@@ -5,16 +5,11 @@
 // Explained in docs/algorithms/certified_hits.md.
 #pragma once
 
+#include "boxwood/query/kernels/candidate_error.h"
 #include "boxwood/query/kernels/closest_hit.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 
 namespace boxwood {
-
-/// How far off sheared coordinates of triangles are at the most, and what the ray may be off by
-/// besides. Half of the rounding that boxes need is more than that of sheared coordinates.
-BOXWOOD_KERNEL float candidate_error(const RaySetup& ray, float extra_rounding) {
-    return 0.5f * ray.rounding + 1.5f * extra_rounding;
-}
 
 /// In each lane a ray and a triangle that are less than `error` off in each sheared coordinate.
 template <class S>

@@ -12,7 +12,6 @@
 #include "boxwood/query/kernels/frustum_block.h"
 #include "boxwood/query/kernels/frustum_rays.h"
 #include "boxwood/query/kernels/tree_blocks.h"
-#include "boxwood/query/kernels/triangle_block.h"
 #include "boxwood/query/kernels/wide_walk.h"
 
 namespace boxwood {

@@ -32,7 +32,7 @@ public:
             return rays_.sheared(packet, from[0], from[1], from[2]);
         };
         const CandidateTest<S> test(sheared(0), sheared(1), sheared(2), S::load(rays_.sz[packet]),
-                                    rays_.candidate_error);
+                                    rays_.error);
         const Float near = S::load(sure.near[packet]);
         const Float farthest = S::broadcast(1 + 0x1p-18f) / (near * S::load(rays_.depth[packet]));
         const unsigned taken =

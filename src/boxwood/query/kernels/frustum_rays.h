@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "boxwood/query/kernels/ray_setup.h"
+#include "boxwood/query/kernels/candidate_error.h"
 #include "boxwood/query/kernels/triangle_block.h"
 
 namespace boxwood {
@@ -25,8 +25,8 @@ struct FrustumRays {
     float origin[3], t_min;
     float sign;                                      ///< of the directions along kz
     float rounding;                                  ///< by which boxes are moved outward
-    float coordinate_rounding;                       ///< of corners and of the origin together
-    float candidate_error;                           ///< as CandidateTest takes it
+    float coordinate_rounding;                       ///< of corners as seen from the origin
+    float error;                                     ///< as CandidateTest takes it
     float least_t;                                   ///< what is there lies beyond t_min for sure
     float least_depth;                               ///< what is beyond that is beyond t_min
     float lo_x, hi_x, lo_y, hi_y;                    ///< slopes of the group
@@ -54,9 +54,9 @@ struct FrustumRays {
         // More than the bound for single rays: rays are followed here by their slopes, which are
         // rounded.
         rounding = 3 * setup.rounding;
-        coordinate_rounding = 0x1p-5f * setup.rounding;
-        candidate_error = 0.5f * setup.rounding;
-        least_t = t_min * (1 + 0x1p-22f) + 4 * candidate_error;
+        coordinate_rounding = 0x1p-4f * setup.rounding;
+        error = candidate_error(setup);
+        least_t = surely_beyond(t_min, error);
         sign = first.direction[axis[2]] < 0 ? -1.0f : 1.0f;
 
         is_endless = true;

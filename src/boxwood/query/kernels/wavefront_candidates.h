@@ -22,15 +22,10 @@ struct CandidatesSoFar {
     float nearest[Candidates::kMost + N];
 
     BOXWOOD_KERNEL void start(const Rayf& ray, float ray_error, std::uint32_t skipped) {
-        const auto inward = [&](float limit, float sign) {
-            const float size = __builtin_fabsf(limit);
-            return size < __builtin_inff() ? limit + sign * (0x1p-22f * size + 4 * ray_error)
-                                           : limit;
-        };
         t = ray.t_max;
         error = ray_error;
-        sure_min = inward(ray.t_min, 1);
-        sure_max = inward(ray.t_max, -1);
+        sure_min = surely_beyond(ray.t_min, error);
+        sure_max = surely_before(ray.t_max, error);
         skip = skipped;
         count = 0;
     }
