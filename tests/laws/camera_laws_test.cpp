@@ -43,7 +43,7 @@ std::vector<Seen> what_is_seen() {
             {"huge", moved(generate_torus_knot(3000), 1e8, 1e7 * odd)},
             {"few", moved(generate_icosphere(20), 1.1, odd)},
             {"soup", moved(generate_soup(400), 1.3, odd)},
-            {"fine", moved(generate_icosphere(60000), 1, odd)}};
+            {"fine", moved(generate_icosphere(cases(60000)), 1, odd)}};
 }
 
 /// A square of rays about a direction, in groups of 16 x 16 as frusta like them. The finest come so

@@ -4,6 +4,7 @@
 // Explained in docs/algorithms/certified_hits.md.
 #include <algorithm>
 #include <cstdint>
+#include <new>
 #include <span>
 
 #include "boxwood/query/certified_hits.h"
@@ -21,14 +22,18 @@ namespace {
 struct Questions {
     std::size_t count = 0;
     std::uint32_t place[kCertifiedAtATime];  ///< among those rays
-    Rayf ray[kCertifiedAtATime];
+    union {
+        Rayf ray[kCertifiedAtATime];  ///< not made before they are needed: batches may be short
+    };
     float extra_rounding[kCertifiedAtATime];
     std::uint32_t skip[kCertifiedAtATime];
     Candidates candidates[kCertifiedAtATime];
 
+    Questions() {}
+
     void add(std::size_t i, const NearRay& near, std::uint32_t skipped) {
         place[count] = static_cast<std::uint32_t>(i);
-        ray[count] = near.ray();
+        new (&ray[count]) Rayf(near.ray());
         extra_rounding[count] = near.extra_rounding();
         skip[count++] = skipped;
     }
