@@ -85,7 +85,8 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
 
 /// Tiles of a camera, which begin where groups do, and rays of all sorts, so that every kernel has
 /// its share.
-std::vector<Ray> many_rays(const TriangleMesh& mesh) {
+template <class RayAt>
+std::vector<Ray> many_rays(const TriangleMesh& mesh, const RayAt& single_ray) {
     constexpr std::uint64_t kTiles = kIsSanitized ? 3 : 12;
     std::vector<Ray> rays;
     for (std::uint64_t seed = 1000; seed < 1000 + kTiles; ++seed) {
@@ -102,14 +103,13 @@ std::vector<Ray> many_rays(const TriangleMesh& mesh) {
             rays.push_back(ray);
         }
     }
-    for (std::uint64_t seed = 0; seed < cases(500); ++seed)
-        rays.push_back(ray_from_near_or_far(mesh, seed));
+    for (std::uint64_t seed = 0; seed < cases(500); ++seed) rays.push_back(single_ray(mesh, seed));
     return rays;
 }
 
 TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
-    const std::vector<Ray> rays = many_rays(mesh);
+    const std::vector<Ray> rays = many_rays(mesh, ray_from_near_or_far);
     std::vector<std::optional<Hit>> expected;
     for (const Ray& ray : rays) expected.push_back(closest_hit_brute_force(mesh, ray));
     for (const auto& [name, tree] : all_trees(mesh)) {
@@ -135,7 +135,7 @@ TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
 TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     std::vector<Rayf> rays;
-    for (const Ray& ray : many_rays(mesh)) rays.push_back(in_float(ray));
+    for (const Ray& ray : many_rays(mesh, random_ray)) rays.push_back(in_float(ray));
     const std::vector<NamedTree> trees = all_trees(mesh);
     const float scale = trees[0].tree.scale();
     std::vector<std::optional<Hitf>> expected;
