@@ -4,6 +4,7 @@
 // mostly one is left. Explained in docs/algorithms/certified_hits.md.
 #pragma once
 
+#include "boxwood/query/kernels/candidate_list.h"
 #include "boxwood/query/kernels/candidates.h"
 
 namespace boxwood {
@@ -17,9 +18,7 @@ struct CandidatesSoFar {
     float error;               ///< as in CandidateTest
     float sure_min, sure_max;  ///< what is surely in between lies in [t_min, t_max]
     std::uint32_t skip;
-    std::uint32_t count;
-    std::uint32_t triangle[Candidates::kMost + N];
-    float nearest[Candidates::kMost + N];
+    CandidateList<Candidates::kMost, N> list;
 
     BOXWOOD_KERNEL void start(const Rayf& ray, float ray_error, std::uint32_t skipped) {
         t = ray.t_max;
@@ -27,39 +26,23 @@ struct CandidatesSoFar {
         sure_min = surely_beyond(ray.t_min, error);
         sure_max = surely_before(ray.t_max, error);
         skip = skipped;
-        count = 0;
+        list.count = 0;
     }
 
     /// False when there are too many.
     BOXWOOD_KERNEL bool add(const TriangleBlock<N>& block, unsigned mask,
                             const CandidateTest<S>& test) {
-        if (count + static_cast<unsigned>(__builtin_popcount(mask)) > Candidates::kMost) {
-            drop_hidden();
-            if (count + static_cast<unsigned>(__builtin_popcount(mask)) > Candidates::kMost) {
-                count = Candidates::kTooMany;
-                return false;
-            }
-        }
-        S::store_unaligned(triangle + count, S::compress(mask, S::load(block.triangle)));
-        S::store_unaligned(nearest + count, S::compress(mask, test.nearest()));
-        count += static_cast<unsigned>(__builtin_popcount(mask));
+        const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
+        if (!list.make_room(more, t)) return false;
+        S::store_unaligned(list.triangle + list.count, S::compress(mask, S::load(block.triangle)));
+        S::store_unaligned(list.nearest + list.count, S::compress(mask, test.nearest()));
+        list.count += more;
         return true;
     }
 
-    /// Drops those that lie behind what is hit for sure.
-    BOXWOOD_KERNEL void drop_hidden() {
-        std::uint32_t kept = 0;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            triangle[kept] = triangle[i];
-            nearest[kept] = nearest[i];
-            kept += nearest[i] <= t;
-        }
-        count = kept;
-    }
-
     BOXWOOD_KERNEL void write(Candidates& candidates) const {
-        candidates.count = count;
-        __builtin_memcpy(candidates.triangle, triangle, sizeof candidates.triangle);
+        candidates.count = list.count;
+        __builtin_memcpy(candidates.triangle, list.triangle, sizeof candidates.triangle);
     }
 };
 
@@ -93,7 +76,7 @@ struct CandidatesOfRays {
         const unsigned sure =
             mask & test.is_hit() & S::less_equal(S::broadcast(state.sure_min), test.nearest());
         if (kAnyHit && (sure & S::less_equal(test.farthest(), S::broadcast(state.sure_max))) != 0) {
-            state.count = Candidates::kSureHit;
+            state.list.count = Candidates::kSureHit;
             return true;
         }
         if (!kAnyHit && sure != 0) {
@@ -104,7 +87,7 @@ struct CandidatesOfRays {
     }
 
     BOXWOOD_KERNEL void finish(std::size_t i, State& state) const {
-        if (!kAnyHit && state.count <= Candidates::kMost) state.drop_hidden();
+        if (!kAnyHit && state.list.count <= Candidates::kMost) state.list.drop_hidden(state.t);
         state.write(candidates[i]);
     }
 };
