@@ -95,63 +95,77 @@ bool is_any_hit(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     return false;
 }
 
-/// Rays, what has been found of them, and where the answers go.
-template <class Answer>
-struct Decisions {
-    MeshView mesh;
-    const Questions& questions;
-    std::span<const Ray> rays;
-    std::span<Answer> answers;
-};
-
-/// Which candidates are hit first. Rays with one of them, which are most, are decided some at a
-/// time.
-struct ClosestHits : Decisions<Hit> {
-    HitLanes lanes = {};
-    std::uint32_t question[HitLanes::kLanes] = {};
-    int used = 0;
+/// Decides which candidates are hit first. Rays with one of them, which are most, are decided some
+/// at a time.
+class ClosestHits {
+public:
+    ClosestHits(MeshView mesh, const Questions& questions, std::span<const Ray> rays,
+                std::span<Hit> hits)
+        : mesh_(mesh), questions_(questions), rays_(rays), hits_(hits) {}
 
     BOXWOOD_KERNEL void decide(std::size_t i) {
-        const Candidates& candidates = questions.candidates[i];
-        const std::uint32_t place = questions.place[i];
+        const Candidates& candidates = questions_.candidates[i];
+        const std::uint32_t place = questions_.place[i];
         if (candidates.count != 1) {
-            answers[place] = closest_of(mesh, rays[place], candidates);
+            hits_[place] = closest_of(mesh_, rays_[place], candidates);
             return;
         }
         const std::uint32_t triangle = candidates.triangle[0];
-        lanes.set(used, rays[place], mesh.corner(triangle, 0), mesh.corner(triangle, 1),
-                  mesh.corner(triangle, 2));
-        question[used++] = static_cast<std::uint32_t>(i);
-        if (used == HitLanes::kLanes) finish();
+        lanes_.set(used_, rays_[place], mesh_.corner(triangle, 0), mesh_.corner(triangle, 1),
+                   mesh_.corner(triangle, 2));
+        question_[used_++] = static_cast<std::uint32_t>(i);
+        if (used_ == HitLanes::kLanes) decide_lanes();
+    }
+    BOXWOOD_KERNEL void finish() {
+        if (used_ > 0) decide_lanes();
     }
 
-    BOXWOOD_KERNEL void finish() {
-        lanes.test();
-        for (int lane = 0; lane < used; ++lane) {
-            const Candidates& candidates = questions.candidates[question[lane]];
-            const std::uint32_t place = questions.place[question[lane]];
-            if (lanes.is_missed(lane)) continue;
-            answers[place] = lanes.is_hit(lane) ? Hit{.t = lanes.t[lane],
-                                                      .u = lanes.u[lane],
-                                                      .v = lanes.v[lane],
-                                                      .triangle = candidates.triangle[0]}
-                                                : closest_of(mesh, rays[place], candidates);
+private:
+    BOXWOOD_KERNEL void decide_lanes() {
+        lanes_.test();
+        for (int lane = 0; lane < used_; ++lane) {
+            const Candidates& candidates = questions_.candidates[question_[lane]];
+            const std::uint32_t place = questions_.place[question_[lane]];
+            if (lanes_.is_missed(lane)) continue;
+            hits_[place] = lanes_.is_hit(lane) ? Hit{.t = lanes_.t[lane],
+                                                     .u = lanes_.u[lane],
+                                                     .v = lanes_.v[lane],
+                                                     .triangle = candidates.triangle[0]}
+                                               : closest_of(mesh_, rays_[place], candidates);
         }
-        used = 0;
+        used_ = 0;
     }
+
+    MeshView mesh_;
+    const Questions& questions_;
+    std::span<const Ray> rays_;
+    std::span<Hit> hits_;
+    HitLanes lanes_ = {};
+    std::uint32_t question_[HitLanes::kLanes];
+    int used_ = 0;
 };
 
-/// Whether any is hit.
-struct AnyHits : Decisions<bool> {
+class AnyHits {
+public:
+    AnyHits(MeshView mesh, const Questions& questions, std::span<const Ray> rays,
+            std::span<bool> hits)
+        : mesh_(mesh), questions_(questions), rays_(rays), hits_(hits) {}
+
     BOXWOOD_KERNEL void decide(std::size_t i) {
-        const std::uint32_t place = questions.place[i];
-        answers[place] = is_any_hit(mesh, rays[place], questions.candidates[i]);
+        const std::uint32_t place = questions_.place[i];
+        hits_[place] = is_any_hit(mesh_, rays_[place], questions_.candidates[i]);
     }
     void finish() {}
+
+private:
+    MeshView mesh_;
+    const Questions& questions_;
+    std::span<const Ray> rays_;
+    std::span<bool> hits_;
 };
 
-/// Answers each ray: by what find() gives and Deciding makes of it, or by one(ray) where it can't.
-template <class Deciding, class Answer, class One>
+/// Answers each ray: by what find() gives and Decisions make of it, or by one(ray) where it can't.
+template <class Decisions, class Answer, class One>
 void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
             std::span<Answer> answers, decltype(RayKernels::closest_candidates) find,
             const One& one) {
@@ -180,7 +194,7 @@ void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
         find(tree.view(), questions.rays(), questions.candidates, questions.count);
         run_fused(tree.instruction_set(), [&] {
             const Lookahead lookahead(mesh, questions);
-            Deciding decisions = {{mesh, questions, some, places}};
+            Decisions decisions(mesh, questions, some, places);
             for (std::size_t i = 0; i < questions.count; ++i) {
                 lookahead.before(i);
                 if (questions.candidates[i].count != Candidates::kTooMany)

@@ -3,7 +3,6 @@
 // sure of, and those that they aren't. Explained in docs/algorithms/certified_hits.md.
 #pragma once
 
-#include "boxwood/query/kernels/candidate_list.h"
 #include "boxwood/query/kernels/candidates.h"
 #include "boxwood/query/kernels/frustum.h"
 
@@ -49,10 +48,7 @@ public:
         S::store(greatest, nearest);
         for (unsigned rest = open; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
-            Noted& noted = noted_[packet][lane];
-            if (!noted.make_room(1, -sure.near[packet][lane])) continue;
-            noted.triangle[noted.count] = code;
-            noted.nearest[noted.count++] = -greatest[lane];
+            noted_[packet][lane].add(code, greatest[lane], sure.near[packet][lane]);
         }
         const unsigned hit =
             open & test.is_hit() & S::less_equal(S::broadcast(rays_.least_t), first);
@@ -77,24 +73,50 @@ public:
 private:
     using Float = typename S::Float;
 
-    /// Besides the one that is hit for sure.
-    static constexpr std::uint32_t kMostNoted = Candidates::kMost - 1;
-    using Noted = CandidateList<kMostNoted, 0>;
+    /// The places of triangles that a ray may hit.
+    struct Noted {
+        static constexpr std::uint32_t kMost = Candidates::kMost - 1;
+
+        std::uint32_t count;  ///< more than kMost: there were too many
+        std::uint32_t code[kMost];
+        float nearest[kMost];  ///< the greatest inverse depth
+
+        BOXWOOD_KERNEL void add(std::uint32_t place, float inverse_depth, float near) {
+            if (count == kMost) drop_hidden(near);
+            if (count < kMost) {
+                code[count] = place;
+                nearest[count++] = inverse_depth;
+            } else {
+                count = kMost + 1;
+            }
+        }
+
+        /// Drops those that are farther than what is hit for sure.
+        BOXWOOD_KERNEL void drop_hidden(float near) {
+            std::uint32_t kept = 0;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                code[kept] = code[i];
+                nearest[kept] = nearest[i];
+                kept += near <= nearest[i];
+            }
+            count = kept;
+        }
+    };
 
     BOXWOOD_KERNEL void write_ray(const SureHits<S>& sure, int packet, int lane,
                                   Candidates& candidates) {
         Noted& noted = noted_[packet][lane];
-        if (noted.count > kMostNoted) {
+        if (noted.count > Noted::kMost) {
             candidates.count = Candidates::kTooMany;
             return;
         }
-        if (noted.count > 0) noted.drop_hidden(-sure.near[packet][lane]);
+        if (noted.count > 0) noted.drop_hidden(sure.near[packet][lane]);
         candidates.count = 0;
         const auto write = [&](std::uint32_t code) {
             candidates.triangle[candidates.count++] = triangle_of_code<N>(tree_, code).index;
         };
         if (sure.taken[packet] >> lane & 1) write(sure.code[packet][lane]);
-        for (std::uint32_t i = 0; i < noted.count; ++i) write(noted.triangle[i]);
+        for (std::uint32_t i = 0; i < noted.count; ++i) write(noted.code[i]);
     }
 
     const WideTreeView& tree_;

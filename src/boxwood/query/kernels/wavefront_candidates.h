@@ -4,7 +4,6 @@
 // mostly one is left. Explained in docs/algorithms/certified_hits.md.
 #pragma once
 
-#include "boxwood/query/kernels/candidate_list.h"
 #include "boxwood/query/kernels/candidates.h"
 
 namespace boxwood {
@@ -18,7 +17,9 @@ struct CandidatesSoFar {
     float error;               ///< as in CandidateTest
     float sure_min, sure_max;  ///< what is surely in between lies in [t_min, t_max]
     std::uint32_t skip;
-    CandidateList<Candidates::kMost, N> list;
+    std::uint32_t count;
+    std::uint32_t triangle[Candidates::kMost + N];
+    float nearest[Candidates::kMost + N];
 
     BOXWOOD_KERNEL void start(const Rayf& ray, float ray_error, std::uint32_t skipped) {
         t = ray.t_max;
@@ -26,23 +27,39 @@ struct CandidatesSoFar {
         sure_min = surely_beyond(ray.t_min, error);
         sure_max = surely_before(ray.t_max, error);
         skip = skipped;
-        list.count = 0;
+        count = 0;
     }
 
     /// False when there are too many.
     BOXWOOD_KERNEL bool add(const TriangleBlock<N>& block, unsigned mask,
                             const CandidateTest<S>& test) {
-        const auto more = static_cast<std::uint32_t>(__builtin_popcount(mask));
-        if (!list.make_room(more, t)) return false;
-        S::store_unaligned(list.triangle + list.count, S::compress(mask, S::load(block.triangle)));
-        S::store_unaligned(list.nearest + list.count, S::compress(mask, test.nearest()));
-        list.count += more;
+        if (count + static_cast<unsigned>(__builtin_popcount(mask)) > Candidates::kMost) {
+            drop_hidden();
+            if (count + static_cast<unsigned>(__builtin_popcount(mask)) > Candidates::kMost) {
+                count = Candidates::kTooMany;
+                return false;
+            }
+        }
+        S::store_unaligned(triangle + count, S::compress(mask, S::load(block.triangle)));
+        S::store_unaligned(nearest + count, S::compress(mask, test.nearest()));
+        count += static_cast<unsigned>(__builtin_popcount(mask));
         return true;
     }
 
+    /// Drops those that lie behind what is hit for sure.
+    BOXWOOD_KERNEL void drop_hidden() {
+        std::uint32_t kept = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            triangle[kept] = triangle[i];
+            nearest[kept] = nearest[i];
+            kept += nearest[i] <= t;
+        }
+        count = kept;
+    }
+
     BOXWOOD_KERNEL void write(Candidates& candidates) const {
-        candidates.count = list.count;
-        __builtin_memcpy(candidates.triangle, list.triangle, sizeof candidates.triangle);
+        candidates.count = count;
+        __builtin_memcpy(candidates.triangle, triangle, sizeof candidates.triangle);
     }
 };
 
@@ -76,7 +93,7 @@ struct CandidatesOfRays {
         const unsigned sure =
             mask & test.is_hit() & S::less_equal(S::broadcast(state.sure_min), test.nearest());
         if (kAnyHit && (sure & S::less_equal(test.farthest(), S::broadcast(state.sure_max))) != 0) {
-            state.list.count = Candidates::kSureHit;
+            state.count = Candidates::kSureHit;
             return true;
         }
         if (!kAnyHit && sure != 0) {
@@ -87,7 +104,7 @@ struct CandidatesOfRays {
     }
 
     BOXWOOD_KERNEL void finish(std::size_t i, State& state) const {
-        if (!kAnyHit && state.list.count <= Candidates::kMost) state.list.drop_hidden(state.t);
+        if (!kAnyHit && state.count <= Candidates::kMost) state.drop_hidden();
         state.write(candidates[i]);
     }
 };
