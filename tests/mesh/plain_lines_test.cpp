@@ -2,7 +2,10 @@
 // Lines as most programs write them are read by a shorter way than others. Nobody can tell.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/obj.h"
@@ -13,6 +16,9 @@
 
 namespace boxwood {
 namespace {
+
+/// Enough that files are read in several chunks.
+constexpr std::size_t kTriangles = 20000;
 
 /// Lines of numbers, three corners a face, each line with the given words in front.
 std::string lines_of(MeshView mesh, const std::string& vertex, const std::string& face,
@@ -52,7 +58,7 @@ struct Sample {
 };
 
 std::vector<Sample> samples() {
-    const TriangleMesh mesh = generate_gyroid(3000);
+    const TriangleMesh mesh = generate_gyroid(kTriangles);
     const std::string vertices = std::to_string(mesh.vertices.size());
     const std::string faces = std::to_string(mesh.faces.size());
     const std::string body = lines_of(mesh, "", "3 ", 0);
@@ -79,28 +85,72 @@ std::string replaced(const std::string& text, const std::string& from, const std
     return result;
 }
 
+MeshData read(const Sample& sample, const std::string& body) {
+    const std::string text = sample.header + body;
+    return sample.parse({text, "mesh"}, {});
+}
+
+void expect_same_mesh(const MeshData& other, const MeshData& mesh) {
+    EXPECT_TRUE(other.vertices == mesh.vertices);
+    EXPECT_TRUE(other.faces == mesh.faces);
+    EXPECT_TRUE(other.attributes.colors.values == mesh.attributes.colors.values);
+}
+
 TEST(PlainLines, are_read_as_lines_with_other_blanks_are) {
     for (const Sample& sample : samples()) {
         SCOPED_TRACE(sample.format);
-        const auto read = [&](const std::string& body) {
-            const std::string text = sample.header + body;
-            return sample.parse({text, "mesh"}, {});
-        };
-        const MeshData mesh = read(sample.body);
-        EXPECT_EQ(mesh.faces.size(), generate_gyroid(3000).faces.size());
-        for (const auto& [from, to] : {std::pair<std::string, std::string>{" ", "  "},
-                                       {" ", "\t"},
-                                       {"\n", " \n"},
-                                       {"\n", "\r\n"},
-                                       {"\n", "\n\n"},
-                                       {"\n", "\n "},
-                                       {" 0.", " +0."},
-                                       {"3\n", "3 \n"}}) {
+        const MeshData mesh = read(sample, sample.body);
+        EXPECT_EQ(mesh.faces.size(), generate_gyroid(kTriangles).faces.size());
+        std::vector<std::pair<std::string, std::string>> changes = {
+            {" ", "  "},    {" ", "\t"},   {"\n", " \n"},   {"\n", "\r\n"},
+            {"\n", "\n\n"}, {"\n", "\n "}, {" 0.", " +0."}, {"3\n", "3 \n"}};
+        if (sample.parse != parse_stl)
+            for (const char* comment : {"\n#\n", "\n# 1 2\n# 3 4\n# 5 6\n# 7 8\n",
+                                        "\n# 1.000000000 2.000000000000\n", "\n# 1\n\n#\n"})
+                changes.emplace_back("\n", comment);
+        for (const auto& [from, to] : changes) {
             SCOPED_TRACE(from + " by " + to);
-            const MeshData other = read(replaced(sample.body, from, to));
-            EXPECT_TRUE(other.vertices == mesh.vertices);
-            EXPECT_TRUE(other.faces == mesh.faces);
+            const MeshData other = read(sample, replaced(sample.body, from, to));
+            expect_same_mesh(other, mesh);
             EXPECT_TRUE(other.warnings.is_empty());
+        }
+    }
+}
+
+/// The body with some of its triangles, one in so many, replaced by faces of other kinds.
+std::string with_other_faces(const std::string& body, const std::string& face, std::size_t one_in,
+                             const std::vector<std::string>& others) {
+    std::string result;
+    std::mt19937 engine(1);
+    for (std::size_t at = 0; at < body.size();) {
+        const std::size_t end = body.find('\n', at) + 1;
+        const std::string line = body.substr(at, end - at);
+        result += line.starts_with(face) && engine() % one_in == 0
+                      ? others[engine() % others.size()] + "\n"
+                      : line;
+        at = end;
+    }
+    return result;
+}
+
+TEST(PlainLines, may_have_any_others_between_them) {
+    for (const Sample& sample : samples()) {
+        SCOPED_TRACE(sample.format);
+        std::vector<std::string> others;
+        if (sample.parse == parse_off)
+            others = {"4 0 1 2 3", "2 0 1", "0", "3 4 5 6 1 0 0", "5 0 1 2 3 4", "3 7 8 +9"};
+        if (sample.parse == parse_ply) others = {"4 0 1 2 3", "2 0 1", "0", "5 0 1 2 3 4"};
+        if (sample.parse == parse_obj)
+            others = {"f 1 2 3 4", "f 1 2", "f -1 -2 -3", "f 1/ 2/ 3/", "g x", "vn 0 0 1"};
+        if (others.empty()) continue;
+        for (const std::size_t one_in : {1, 3, 1000, 30000}) {
+            const std::string body = with_other_faces(
+                sample.body, sample.parse == parse_obj ? "f " : "3 ", one_in, others);
+            const MeshData mesh = read(sample, body);
+            // No line of this one is plain.
+            const MeshData other = read(sample, replaced(body, " ", " \t"));
+            expect_same_mesh(mesh, other);
+            EXPECT_EQ(mesh.warnings.kinds().size(), other.warnings.kinds().size());
         }
     }
 }

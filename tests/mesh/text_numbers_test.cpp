@@ -110,8 +110,11 @@ TEST(TextNumbers, plain_lines_are_parted_by_single_spaces_and_end) {
     };
     EXPECT_EQ(read("1 -2.5\n3"), "6: 1.000000, -2.500000");
     EXPECT_EQ(read("1e1 2\r\n"), "6: 10.000000, 2.000000");
-    for (const std::string_view text : {"1 2", "1 2\r", "1  2\n", " 1 2\n", "1 2 \n", "1 2 3\n",
-                                        "1\n2\n", "1 +2\n", "1 2#\n", "1 x\n", "", "1", "1 "})
+    EXPECT_EQ(read("1 2 \n"), "4: 1.000000, 2.000000");
+    EXPECT_EQ(read("1 2 \r\n"), "5: 1.000000, 2.000000");
+    for (const std::string_view text :
+         {"1 2", "1 2\r", "1 2\r \n", "1  2\n", " 1 2\n", "1 2  \n", "1 2 3\n", "1\n2\n", "1 +2\n",
+          "1 2#\n", "1 x\n", "", "1", "1 "})
         EXPECT_EQ(read(text), "no") << text;
 }
 

@@ -57,36 +57,17 @@ void for_each_chunk(std::vector<Chunk>& chunks, const Body& body) {
     }
 }
 
-/// How many characters do what is asked of each and the one behind it. A few hundred are counted
-/// in a byte, so that many are at once.
-template <class IsCounted>
-std::size_t count_pairs(std::string_view text, const IsCounted& is_counted) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i + 1 < text.size();) {
-        const std::size_t end = std::min(i + 255, text.size() - 1);
-        std::uint8_t some = 0;
-        for (; i < end; ++i)
-            some = static_cast<std::uint8_t>(some + is_counted(text[i], text[i + 1]));
-        count += some;
-    }
-    return count;
-}
-
-inline std::size_t count_line_ends(std::string_view text) {
-    return count_pairs(text, [](char c, char) { return c == '\n'; }) + text.ends_with('\n');
-}
+inline std::size_t count_line_ends(std::string_view text) { return count_lines(text).line_ends; }
 
 /// Counts the lines of a chunk. Where none of them begins with a blank, a # or a line end, all are
 /// content lines, and counting characters is enough.
 inline void count_lines(TextChunk& chunk) {
     const std::string_view text = chunk.text;
-    const auto is_doubtful = [](char c) {
-        return static_cast<unsigned char>(c) <= ' ' || c == '#';
-    };
-    const std::size_t doubts =
-        count_pairs(text, [&](char c, char next) { return (c == '\n') & is_doubtful(next); });
-    if (!text.empty() && !is_doubtful(text[0]) && doubts == 0) {
-        chunk.lines = chunk.content_lines = count_line_ends(text) + !text.ends_with('\n');
+    const bool is_first_doubtful =
+        text.empty() || static_cast<unsigned char>(text[0]) <= ' ' || text[0] == '#';
+    const LineCounts counts = count_lines(text);
+    if (!is_first_doubtful && counts.doubtful == 0) {
+        chunk.lines = chunk.content_lines = counts.line_ends + !text.ends_with('\n');
         return;
     }
     TextScanner lines(text, 0);

@@ -109,7 +109,8 @@ requires std::is_floating_point_v<Value> std::from_chars_result parse_text(const
 }
 
 /// Reads numbers as most programs write them: parted by one space each, the last one followed by
-/// the end of the line. Returns where that is, or null when anything else is there.
+/// the end of the line, maybe after another space. Returns where that is, or null when anything
+/// else is there.
 template <class Value>
 const char* parse_plain_line(const char* at, const char* end, Value* values, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
@@ -118,8 +119,8 @@ const char* parse_plain_line(const char* at, const char* end, Value* values, std
         if (error != std::errc()) return nullptr;
         at = last;
     }
-    const char* const newline = at != end && *at == '\r' ? at + 1 : at;
-    return newline != end && *newline == '\n' ? newline : nullptr;
+    for (const char blank : {' ', '\r'}) at += at != end && *at == blank;
+    return at != end && *at == '\n' ? at : nullptr;
 }
 
 }  // namespace boxwood

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "boxwood/mesh/plain_lines.h"
 #include "boxwood/mesh/text_numbers.h"
 
 namespace boxwood {
@@ -17,7 +18,7 @@ namespace boxwood {
 class TextScanner {
 public:
     explicit TextScanner(std::string_view text, std::size_t first_line = 1)
-        : at_(text.data()), end_(text.data() + text.size()), line_(first_line) {}
+        : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), line_(first_line) {}
 
     /// The number of the line it stands in.
     std::size_t line() const { return line_; }
@@ -72,14 +73,15 @@ public:
     /// The next word as a whole number of 64 bits, or nothing, staying before it.
     std::optional<std::int64_t> integer() { return parsed<std::int64_t>(); }
 
-    /// Reads so many numbers and moves to the end of the line if they fill what is left of it,
-    /// parted by single spaces, as most programs write them. Else false, staying where it is:
-    /// whoever knows more ways to write a line reads it. For speed.
-    template <class Value>
-    bool plain_line(Value* values, std::size_t count) {
-        const char* const newline = parse_plain_line(at_, end_, values, count);
-        if (newline) at_ = newline;
-        return newline != nullptr;
+    /// Lets read(PlainText&) go on from here, the start of a line, past lines that it knows.
+    /// Returns how many these were, which it must return, too. For speed: see plain_lines.h.
+    template <class Read>
+    std::size_t plain_lines(const Read& read) {
+        PlainText text = {begin_, at_, end_};
+        const std::size_t count = read(text);
+        at_ = text.at;
+        line_ += count;
+        return count;
     }
 
 private:
@@ -99,6 +101,7 @@ private:
         return value;
     }
 
+    const char* begin_;
     const char* at_;
     const char* end_;
     std::size_t line_;

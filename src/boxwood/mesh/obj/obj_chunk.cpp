@@ -76,10 +76,42 @@ public:
 
     void read() {
         chunk_.faces.reserve(chunk_.polygons);
-        for (; scanner_.find_statement(); scanner_.finish_statement()) read_statement();
+        while (true) {
+            while (read_plain_vertices() || read_plain_triangles()) chunk_.has_known_keyword = true;
+            if (!scanner_.find_statement()) return;
+            read_statement();
+            scanner_.finish_statement();
+        }
     }
 
 private:
+    /// The next lines if they are vertices and nothing unusual; whether there were any.
+    bool read_plain_vertices() {
+        static constexpr LinePrefix kPrefix("v ");
+        const std::size_t most = chunk_.first.vertices + chunk_.counts.vertices - next_.vertices;
+        if (most == 0) return false;
+        double* const vertex = body_.vertices[next_.vertices].data();
+        const std::size_t count = scanner_.plain_lines(
+            [&](PlainText& text) { return read_plain_rows(text, kPrefix, 3, vertex, most); });
+        next_.vertices += count;
+        return count > 0;
+    }
+
+    /// Likewise, triangles of vertices alone, by their numbers from 1 on.
+    bool read_plain_triangles() {
+        static constexpr LinePrefix kPrefix("f ");
+        std::array<Vec3i, 256> some;
+        const std::size_t most = std::min(some.size(), body_.max_faces - chunk_.faces.size());
+        const std::size_t count = scanner_.plain_lines([&](PlainText& text) {
+            return boxwood::read_plain_triangles(text, kPrefix, 1,
+                                                 static_cast<std::uint32_t>(body_.counts.vertices),
+                                                 some[0].data(), most);
+        });
+        for (const Vec3i& triangle : std::span(some).first(count))
+            add_triangle({triangle[0]}, {triangle[1]}, {triangle[2]});
+        return count > 0;
+    }
+
     void read_statement() {
         const std::string_view word = scanner_.word();
         const Keyword keyword = keyword_of(word);
@@ -168,7 +200,7 @@ private:
     void read_vertex() {
         const std::size_t i = next_.vertices++;
         Vec3d& vertex = body_.vertices[i];
-        if (!scanner_.plain_line(vertex.data(), 3)) read_numbers(vertex, 3, "vertex", i);
+        read_numbers(vertex, 3, "vertex", i);
         if (!vertex.allFinite())
             warn(kNotFinite, fmt::format("vertex {}: found ({}, {}, {}), expected finite numbers",
                                          i + 1, vertex.x(), vertex.y(), vertex.z()));
@@ -215,27 +247,7 @@ private:
         if (read_more(more) > 0) warn_of_more();
     }
 
-    /// Three indices of vertices, from 1 on, and nothing else.
-    bool read_plain_triangle() {
-        const ObjScanner before = scanner_;
-        std::array<std::int64_t, 3> numbers;
-        const auto is_vertex = [&](std::int64_t number) {
-            return number > 0 && static_cast<std::uint64_t>(number) <= body_.counts.vertices;
-        };
-        if (scanner_.plain_line(numbers.data(), 3) && is_vertex(numbers[0]) &&
-            is_vertex(numbers[1]) && is_vertex(numbers[2])) {
-            const auto corner = [&](std::size_t k) {
-                return Corner{.vertex = static_cast<int>(numbers[k] - 1)};
-            };
-            add_triangle(corner(0), corner(1), corner(2));
-            return true;
-        }
-        scanner_ = before;
-        return false;
-    }
-
     void read_face() {
-        if (read_plain_triangle()) return;
         Corner first, before;
         std::size_t count = 0;
         for (; !scanner_.at_end_of_statement(); ++count) {

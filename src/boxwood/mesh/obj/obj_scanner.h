@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "boxwood/mesh/plain_lines.h"
 #include "boxwood/mesh/text_numbers.h"
 
 namespace boxwood {
@@ -106,6 +107,17 @@ public:
         if (error != std::errc()) return std::nullopt;
         at_ = last;
         return value;
+    }
+
+    /// Lets read(PlainText&) go on from here, the start of a statement, past lines that it knows.
+    /// Returns how many these were, which it must return, too. For speed: see plain_lines.h.
+    template <class Read>
+    std::size_t plain_lines(const Read& read) {
+        PlainText text = {begin_, at_, end_};
+        const std::size_t count = read(text);
+        at_ = text.at;
+        line_ += count;
+        return count;
     }
 
     /// Reads so many numbers and moves to the end of the line if they fill what is left of it,

@@ -16,6 +16,7 @@ namespace boxwood {
 void OffFaces::end_face(const OffColor& color, std::size_t i, const OffPlace& place) {
     const std::size_t corners = std::exchange(corners_, 0);
     if (corners < 3) {
+        placed_.leave(triangles_);
         warnings_.add_lazily(kFewCorners, *file_, [&] {
             return std::pair(
                 place.text(),
@@ -59,7 +60,7 @@ void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, c
     float largest_color = 0;
     std::vector<PolygonFan> fans;
     for (OffFaces* part : parts) {
-        part->first_ = std::exchange(count, count + part->triangles_.size());
+        part->first_ = std::exchange(count, count + part->size());
         large_fans += part->large_fans_;
         is_colored &= part->is_colored_;
         largest_color = std::max(largest_color, part->largest_color_);
@@ -72,7 +73,10 @@ void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, c
             file, "",
             fmt::format("found {} triangles, expected at most {}", count, limits.max_faces));
 
-    resize_on_huge_pages(mesh.faces, count);
+    const bool are_placed = std::all_of(
+        parts.begin(), parts.end(), [](const OffFaces* part) { return part->placed_.is_placed(); });
+    std::vector<Vec3i> faces;
+    if (!are_placed) resize_on_huge_pages(faces, count);
     if (is_colored && count > 0) {
         mesh.attributes.colors.of = ValuesOf::faces;
         mesh.attributes.colors.values.resize(count);
@@ -80,7 +84,10 @@ void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, c
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (OffFaces* part : parts.subspan(begin, end - begin)) {
             const auto first = static_cast<std::ptrdiff_t>(part->first_);
-            std::copy(part->triangles_.begin(), part->triangles_.end(), mesh.faces.begin() + first);
+            if (!are_placed) {
+                part->placed_.leave(part->triangles_);
+                std::copy(part->triangles_.begin(), part->triangles_.end(), faces.begin() + first);
+            }
             if (is_colored)
                 std::copy(part->colors_.begin(), part->colors_.end(),
                           mesh.attributes.colors.values.begin() + first);
@@ -88,6 +95,7 @@ void OffFaces::join(std::span<OffFaces* const> parts, const std::string& file, c
             std::vector<VertexColor>().swap(part->colors_);
         }
     });
+    if (!are_placed) mesh.faces.swap(faces);
     if (is_colored) scale_off_colors(mesh.attributes.colors.values, largest_color);
     for (const OffFaces* part : parts) {
         if (!is_colored) mesh.warnings.append(part->color_warnings_);

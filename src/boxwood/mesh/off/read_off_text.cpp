@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/mesh/off/off_body.h"
 #include "boxwood/mesh/off/off_faces.h"
 #include "boxwood/mesh/off/off_vertices.h"
-#include "boxwood/mesh/plain_triangle.h"
 #include "boxwood/mesh/reader_warnings.h"
 #include "boxwood/mesh/text_chunks.h"
 
@@ -34,6 +35,7 @@ public:
     MeshData read(const TextScanner& scanner) {
         split_body(scanner);
         resize_off_vertices(header_, mesh_);
+        place_faces();
         for_each_chunk(chunks_, [this](Chunk& chunk) { read_chunk(chunk); });
         join();
         return std::move(mesh_);
@@ -56,14 +58,27 @@ private:
                                          header_.vertices, header_.faces, promised, content_lines));
     }
 
+    void place_faces() {
+        resize_on_huge_pages(mesh_.faces, header_.faces);
+        const auto face_of = [this](std::size_t line) {
+            return std::min(std::max(line, header_.vertices) - header_.vertices, header_.faces);
+        };
+        for (Chunk& chunk : chunks_) {
+            const std::size_t first = face_of(chunk.first_content_line);
+            const std::size_t end = face_of(chunk.first_content_line + chunk.content_lines);
+            chunk.faces.set_places(std::span(mesh_.faces).subspan(first, end - first));
+        }
+    }
+
     void read_chunk(Chunk& chunk) {
         const std::size_t end = header_.vertices + header_.faces;
         std::size_t i = chunk.first_content_line;
-        const std::size_t last = std::min(i + chunk.content_lines, end);
-        chunk.faces.reserve(last - std::clamp(header_.vertices, std::min(i, last), last));
-
+        const std::size_t chunk_end = i + chunk.content_lines;
         TextScanner scanner(chunk.text, chunk.first_line);
-        for (; scanner.find_word(); ++i, scanner.finish_line()) {
+        while (true) {
+            i += read_plain_vertices(scanner, i, chunk_end);
+            i += read_plain_faces(scanner, i, chunk.faces);
+            if (!scanner.find_word()) return;
             if (i < header_.vertices) {
                 read_vertex(scanner, i, chunk.vertices);
             } else if (i < end) {
@@ -71,14 +86,30 @@ private:
             } else {
                 warn_of_end(scanner, chunk.trailing);
             }
+            ++i;
+            scanner.finish_line();
         }
+    }
+
+    /// Lines of three numbers, which are a vertex each; how many. What follows those may overwrite
+    /// the next vertex, so that it must be one of the chunk's.
+    std::size_t read_plain_vertices(TextScanner& scanner, std::size_t i, std::size_t chunk_end) {
+        const std::size_t end = std::min(header_.vertices, chunk_end);
+        if (i >= end || !has_positions_only_) return 0;
+        return scanner.plain_lines([&](PlainText& text) {
+            return read_plain_rows(text, LinePrefix(), 3, mesh_.vertices[i].data(), end - i);
+        });
+    }
+
+    /// Lines of a triangle without a colour; how many.
+    std::size_t read_plain_faces(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
+        const std::size_t end = header_.vertices + header_.faces;
+        if (i < header_.vertices || i >= end) return 0;
+        return faces.read_plain(scanner, header_.vertices, end - i);
     }
 
     void read_vertex(TextScanner& scanner, std::size_t i, OffVertices& part) {
         OffVertex vertex;
-        if (has_positions_only_ && scanner.plain_line(vertex.position.data(), 3))
-            return set_off_vertex(header_, name_, vertex, i, {.number = scanner.line()}, mesh_,
-                                  part);
         read_numbers(scanner, i, "coordinates", 3 + header_.is_homogeneous,
                      [&](int k, double x) { (k < 3 ? vertex.position[k] : vertex.w) = x; });
         if (header_.has_normals)
@@ -137,8 +168,6 @@ private:
     }
 
     void read_face(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
-        if (const auto triangle = plain_triangle(scanner, header_.vertices))
-            return faces.add_triangle(*triangle);
         const auto corners = scanner.integer();
         if (!corners) fail_integer(scanner);
         if (*corners < 0)

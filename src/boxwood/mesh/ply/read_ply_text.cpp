@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "boxwood/core/error.h"
-#include "boxwood/mesh/plain_triangle.h"
+#include "boxwood/core/huge_pages.h"
+#include "boxwood/mesh/plain_faces.h"
 #include "boxwood/mesh/ply/ply_rows.h"
 #include "boxwood/mesh/text_chunks.h"
 #include "boxwood/mesh/text_scanner.h"
@@ -21,6 +22,7 @@ constexpr std::size_t kMostPlainNumbers = 16;
 
 struct Chunk : TextChunk {
     PlyFaces faces;
+    PlacedFaces placed = {};
 };
 
 class TextCursor {
@@ -74,7 +76,11 @@ public:
     std::vector<PlyFaces> read() {
         split();
         body_.make_vertices();
+        place_faces();
         for_each_chunk(chunks_, [this](Chunk& chunk) { read_chunk(chunk); });
+        body_.has_faces = std::all_of(chunks_.begin(), chunks_.end(),
+                                      [](const Chunk& chunk) { return chunk.placed.is_placed(); });
+        if (!body_.has_faces) collect_faces();
         std::vector<PlyFaces> faces;
         faces.reserve(chunks_.size());
         for (Chunk& chunk : chunks_) faces.push_back(std::move(chunk.faces));
@@ -112,6 +118,29 @@ private:
         }
     }
 
+    /// Where each chunk's faces go if all are triangles and nothing else.
+    void place_faces() {
+        if (!has_plain_faces_ || body_.faces->count > body_.max_faces) return;
+        resize_on_huge_pages(body_.mesh.faces, body_.faces->count);
+        std::size_t before = 0;
+        for (auto element = elements_.begin(); *element != body_.faces; ++element)
+            before += (*element)->count;
+        const auto face_of = [&](std::size_t line) {
+            return std::min(std::max(line, before) - before, body_.faces->count);
+        };
+        for (Chunk& chunk : chunks_) {
+            const std::size_t first = face_of(chunk.first_content_line);
+            const std::size_t end = face_of(chunk.first_content_line + chunk.content_lines);
+            chunk.placed = PlacedFaces(std::span(body_.mesh.faces).subspan(first, end - first));
+        }
+    }
+
+    void collect_faces() {
+        for_each_chunk(chunks_,
+                       [](Chunk& chunk) { chunk.placed.leave(chunk.faces.polygons.faces); });
+        std::vector<Vec3i>().swap(body_.mesh.faces);
+    }
+
     void read_chunk(Chunk& chunk) {
         // Which element the first line is of, and which of its items.
         std::size_t row = chunk.first_content_line;
@@ -126,17 +155,23 @@ private:
         TextCursor cursor(scanner, body_.name);
         PlyPolygon polygon;
         std::vector<int> indices;
-        for (; scanner.find_word(); ++row, scanner.finish_line()) {
+        while (true) {
             find_element();
+            if (element != elements_.end()) {
+                const std::size_t count = read_plain_lines(scanner, **element, row, chunk);
+                row += count;
+                if (count > 0) continue;
+            }
+            if (!scanner.find_word()) return;
             if (element == elements_.end()) {
                 cursor.warn(
                     chunk.faces.warnings, kTrailingLines,
                     fmt::format("found {}, expected the end of the file", quoted(scanner.word())));
             } else if (*element == body_.vertices) {
-                if (!read_plain_vertex(scanner, row)) read_ply_vertex(cursor, body_, row);
+                read_ply_vertex(cursor, body_, row);
             } else if (*element == body_.faces) {
-                if (!read_plain_triangle(scanner, chunk.faces.polygons))
-                    read_ply_face(cursor, body_, row, polygon, chunk.faces);
+                chunk.placed.leave(chunk.faces.polygons.faces);
+                read_ply_face(cursor, body_, row, polygon, chunk.faces);
             } else if (*element == body_.strips) {
                 read_ply_strips(cursor, body_, row, indices, chunk.faces);
             }
@@ -144,23 +179,42 @@ private:
             if (is_read && !scanner.at_end_of_line())
                 cursor.fail(
                     fmt::format("found {}, expected the end of the line", quoted(scanner.word())));
+            ++row;
+            scanner.finish_line();
         }
     }
 
-    bool read_plain_vertex(TextScanner& scanner, std::size_t row) {
-        const std::size_t count = body_.vertex_columns.size();
-        std::array<double, kMostPlainNumbers> numbers;
-        if (!has_plain_vertices_ || !scanner.plain_line(numbers.data(), count)) return false;
-        for (std::size_t i = 0; i < count; ++i) body_.vertex_columns[i].set(row, numbers[i]);
-        if (!body_.mesh.vertices[row].allFinite()) body_.has_unfinite_vertices = true;
-        return true;
+    /// The next lines that are plain, items of the element from the given row on; how many.
+    std::size_t read_plain_lines(TextScanner& scanner, const PlyElement& element, std::size_t row,
+                                 Chunk& chunk) {
+        const std::size_t most = element.count - row;
+        if (&element == body_.vertices && has_plain_vertices_)
+            return read_plain_vertices(scanner, row, most);
+        if (&element == body_.faces && has_plain_faces_) {
+            std::vector<Vec3i>& faces = chunk.faces.polygons.faces;
+            return chunk.placed.read(scanner, body_.vertices->count,
+                                     std::min(most, body_.max_faces - faces.size()), faces);
+        }
+        return 0;
     }
 
-    bool read_plain_triangle(TextScanner& scanner, PlyFaceBatch& batch) const {
-        if (!has_plain_faces_ || batch.faces.size() == body_.max_faces) return false;
-        const auto triangle = plain_triangle(scanner, body_.vertices->count);
-        if (triangle) batch.faces.push_back(*triangle);
-        return triangle.has_value();
+    std::size_t read_plain_vertices(TextScanner& scanner, std::size_t row, std::size_t most) {
+        const std::size_t columns = body_.vertex_columns.size();
+        std::array<double, 64 * kMostPlainNumbers> numbers;
+        const std::size_t room = numbers.size() / columns;
+        std::size_t count = 0, last = 0;
+        do {
+            last = scanner.plain_lines([&](PlainText& text) {
+                return read_plain_rows(text, LinePrefix(), columns, numbers.data(),
+                                       std::min(room, most - count));
+            });
+            for (std::size_t k = 0; k < columns; ++k) {
+                for (std::size_t i = 0; i < last; ++i)
+                    body_.vertex_columns[k].set(row + count + i, numbers[i * columns + k]);
+            }
+            count += last;
+        } while (last == room);
+        return count;
     }
 
     PlyBody& body_;
