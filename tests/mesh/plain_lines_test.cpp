@@ -2,6 +2,7 @@
 // Lines as most programs write them are read by a shorter way than others. Nobody can tell.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <utility>
@@ -152,6 +153,40 @@ TEST(PlainLines, may_have_any_others_between_them) {
             expect_same_mesh(mesh, other);
             EXPECT_EQ(mesh.warnings.kinds().size(), other.warnings.kinds().size());
         }
+    }
+}
+
+TEST(PlainLines, of_ply_may_have_faces_first_and_strips_behind_them) {
+    const TriangleMesh mesh = generate_gyroid(kTriangles);
+    const std::string body = lines_of(mesh, "", "3 ", 0);
+    const std::size_t faces_at = body.find("\n3 ", body.find("\n3 ")) + 1;
+    const auto element = [](const char* name, std::size_t count, const char* properties) {
+        return "element " + std::string(name) + " " + std::to_string(count) + "\n" + properties;
+    };
+    const std::string vertex = element("vertex", mesh.vertices.size(),
+                                       "property float x\nproperty float y\nproperty float z\n");
+    const std::string face =
+        element("face", mesh.faces.size(), "property list uchar int vertex_indices\n");
+    const std::string strips = element("tristrips", 1, "property list int int vertex_indices\n");
+    const auto read_ply = [](const std::string& header, const std::string& rest) {
+        const std::string text = "ply\nformat ascii 1.0\n" + header + "end_header\n" + rest;
+        return parse_ply({text, "mesh"}, {});
+    };
+    const std::string vertices = body.substr(0, faces_at), faces = body.substr(faces_at);
+    ASSERT_EQ(static_cast<std::size_t>(std::count(faces.begin(), faces.end(), '\n')),
+              mesh.faces.size());
+
+    const MeshData first = read_ply(face + vertex, faces + vertices);
+    EXPECT_TRUE(first.faces == mesh.faces);
+    EXPECT_EQ(first.vertices.size(), mesh.vertices.size());
+
+    std::vector<Vec3i> expected = mesh.faces;
+    expected.insert(expected.end(), {{0, 1, 2}, {2, 1, 3}});
+    for (const auto& [header, rest] : {std::pair(vertex + face + strips, body + "4 0 1 2 3\n"),
+                                       {strips + vertex + face, "4 0 1 2 3\n" + body}}) {
+        const MeshData with_strips = read_ply(header, rest);
+        EXPECT_TRUE(with_strips.faces == expected);
+        EXPECT_TRUE(with_strips.vertices == first.vertices);
     }
 }
 

@@ -11,9 +11,8 @@
 //   last_halves(a, b)             the last eight of a and the last eight of b
 //   both(a, b)                    bits that are set in both
 //   select(mask, a, b)            bits of a where those of the mask are set, else of b
-//   numbers(x)                    of 16 digits from 0 to 9 (not '0' to '9') the number that the
-//   first
-//                                 eight are, in the low half, and that of the last eight, above it
+//   numbers(x)                    of 16 digits from 0 to 9 (not '0' to '9') two numbers of eight
+//                                 each, the first of them in the low half
 //
 // Characters are in the order of little-endian machines.
 #pragma once

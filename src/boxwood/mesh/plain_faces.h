@@ -50,30 +50,31 @@ public:
 
     /// Whether all faces of the part so far are in their places, and the list is empty.
     bool is_placed() const { return is_placed_; }
-    std::size_t size() const { return size_; }
+    /// How many are in their places.
+    std::size_t placed() const { return placed_; }
 
     /// Reads plain faces, at most so many, into their places or the list; how many.
     std::size_t read(TextScanner& scanner, std::size_t vertices, std::size_t most,
                      std::vector<Vec3i>& list) {
         if (!is_placed_) return append_plain_faces(scanner, vertices, most, list);
-        const std::span<Vec3i> room = places_.subspan(size_);
+        const std::span<Vec3i> room = places_.subspan(placed_);
         const std::size_t count =
             read_plain_faces(scanner, vertices, room.first(std::min(most, room.size())));
-        size_ += count;
+        placed_ += count;
         return count;
     }
 
     /// Before any other face is added to the list.
     void leave(std::vector<Vec3i>& list) {
         if (!std::exchange(is_placed_, false)) return;
-        const std::span<Vec3i> placed = places_.first(std::exchange(size_, 0));
+        const std::span<Vec3i> placed = places_.first(std::exchange(placed_, 0));
         list.reserve(places_.size());
         list.assign(placed.begin(), placed.end());
     }
 
 private:
     std::span<Vec3i> places_;
-    std::size_t size_ = 0;
+    std::size_t placed_ = 0;
     bool is_placed_ = false;
 };
 

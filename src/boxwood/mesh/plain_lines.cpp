@@ -57,7 +57,7 @@ std::size_t read_plain_triangles(PlainText& text, const LinePrefix& prefix, std:
     });
 }
 
-LineCounts count_lines(std::string_view text) {
+LineCounts line_counts(std::string_view text) {
     return kernels().count_lines(text.data(), text.data() + text.size());
 }
 

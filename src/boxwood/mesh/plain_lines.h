@@ -37,8 +37,8 @@ struct LinePrefix {
 
 struct LineCounts {
     std::size_t line_ends = 0;
-    /// Lines, without the first, that begin with a blank, a # or a line end, so that they may hold
-    /// nothing.
+    /// Lines, without the first, that begin with a # or a character up to a space, such as another
+    /// blank or a line end, so that they may hold nothing.
     std::size_t doubtful = 0;
 };
 
@@ -54,6 +54,6 @@ std::size_t read_plain_rows(PlainText& text, const LinePrefix& prefix, std::size
 std::size_t read_plain_triangles(PlainText& text, const LinePrefix& prefix, std::uint32_t first,
                                  std::uint32_t count, int* indices, std::size_t most);
 
-LineCounts count_lines(std::string_view text);
+LineCounts line_counts(std::string_view text);
 
 }  // namespace boxwood

@@ -3,15 +3,14 @@
 // chunk holds, which tells every chunk where its part belongs, and a second pass reads it.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "boxwood/core/parallel.h"
+#include "boxwood/mesh/plain_lines.h"
 #include "boxwood/mesh/text_scanner.h"
 
 namespace boxwood {
@@ -57,7 +56,7 @@ void for_each_chunk(std::vector<Chunk>& chunks, const Body& body) {
     }
 }
 
-inline std::size_t count_line_ends(std::string_view text) { return count_lines(text).line_ends; }
+inline std::size_t count_line_ends(std::string_view text) { return line_counts(text).line_ends; }
 
 /// Counts the lines of a chunk. Where none of them begins with a blank, a # or a line end, all are
 /// content lines, and counting characters is enough.
@@ -65,7 +64,7 @@ inline void count_lines(TextChunk& chunk) {
     const std::string_view text = chunk.text;
     const bool is_first_doubtful =
         text.empty() || static_cast<unsigned char>(text[0]) <= ' ' || text[0] == '#';
-    const LineCounts counts = count_lines(text);
+    const LineCounts counts = line_counts(text);
     if (!is_first_doubtful && counts.doubtful == 0) {
         chunk.lines = chunk.content_lines = counts.line_ends + !text.ends_with('\n');
         return;

@@ -77,7 +77,7 @@ public:
     void read() {
         chunk_.faces.reserve(chunk_.polygons);
         while (true) {
-            while (read_plain_vertices() || read_plain_triangles()) chunk_.has_known_keyword = true;
+            while (read_vertex_lines() || read_face_lines()) chunk_.has_known_keyword = true;
             if (!scanner_.find_statement()) return;
             read_statement();
             scanner_.finish_statement();
@@ -85,8 +85,8 @@ public:
     }
 
 private:
-    /// The next lines if they are vertices and nothing unusual; whether there were any.
-    bool read_plain_vertices() {
+    /// The next lines if they are vertices and plain; whether there were any.
+    bool read_vertex_lines() {
         static constexpr LinePrefix kPrefix("v ");
         const std::size_t most = chunk_.first.vertices + chunk_.counts.vertices - next_.vertices;
         if (most == 0) return false;
@@ -98,14 +98,14 @@ private:
     }
 
     /// Likewise, triangles of vertices alone, by their numbers from 1 on.
-    bool read_plain_triangles() {
+    bool read_face_lines() {
         static constexpr LinePrefix kPrefix("f ");
         std::array<Vec3i, 256> some;
         const std::size_t most = std::min(some.size(), body_.max_faces - chunk_.faces.size());
         const std::size_t count = scanner_.plain_lines([&](PlainText& text) {
-            return boxwood::read_plain_triangles(text, kPrefix, 1,
-                                                 static_cast<std::uint32_t>(body_.counts.vertices),
-                                                 some[0].data(), most);
+            return read_plain_triangles(text, kPrefix, 1,
+                                        static_cast<std::uint32_t>(body_.counts.vertices),
+                                        some[0].data(), most);
         });
         for (const Vec3i& triangle : std::span(some).first(count))
             add_triangle({triangle[0]}, {triangle[1]}, {triangle[2]});

@@ -40,13 +40,13 @@ public:
     /// Ends that face, the i-th of the file. One of fewer than three corners is skipped.
     void end_face(const OffColor& color, std::size_t i, const OffPlace& place);
 
-    std::size_t size() const { return placed_.size() + triangles_.size(); }
+    std::size_t size() const { return placed_.placed() + triangles_.size(); }
     void reserve(std::size_t triangles) { triangles_.reserve(triangles); }
 
-    /// Puts the faces of all parts into the mesh, whose vertices and colours of vertices are there,
-    /// and whose faces are the places of those of all parts, if these have some; with their colours
-    /// and warnings, and empties the parts. Throws ParseError when there are
-    /// more triangles than the limits allow.
+    /// Puts the faces of all parts into the mesh, with their colours and warnings, and empties the
+    /// parts. Vertices and their colours must be there; if parts have been given places, these are
+    /// the mesh's faces, each part's behind those before it. Throws ParseError when there are more
+    /// triangles than the limits allow.
     static void join(std::span<OffFaces* const> parts, const std::string& file,
                      const Limits& limits, MeshData& mesh);
 

@@ -76,8 +76,8 @@ private:
         const std::size_t chunk_end = i + chunk.content_lines;
         TextScanner scanner(chunk.text, chunk.first_line);
         while (true) {
-            i += read_plain_vertices(scanner, i, chunk_end);
-            i += read_plain_faces(scanner, i, chunk.faces);
+            i += read_vertex_lines(scanner, i, chunk_end);
+            i += read_face_lines(scanner, i, chunk.faces);
             if (!scanner.find_word()) return;
             if (i < header_.vertices) {
                 read_vertex(scanner, i, chunk.vertices);
@@ -91,9 +91,9 @@ private:
         }
     }
 
-    /// Lines of three numbers, which are a vertex each; how many. What follows those may overwrite
-    /// the next vertex, so that it must be one of the chunk's.
-    std::size_t read_plain_vertices(TextScanner& scanner, std::size_t i, std::size_t chunk_end) {
+    /// Plain lines of three numbers, which are a vertex each; how many. What follows those may
+    /// overwrite the next vertex, so that it must be one of the chunk's.
+    std::size_t read_vertex_lines(TextScanner& scanner, std::size_t i, std::size_t chunk_end) {
         const std::size_t end = std::min(header_.vertices, chunk_end);
         if (i >= end || !has_positions_only_) return 0;
         return scanner.plain_lines([&](PlainText& text) {
@@ -101,8 +101,8 @@ private:
         });
     }
 
-    /// Lines of a triangle without a colour; how many.
-    std::size_t read_plain_faces(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
+    /// Plain lines of a triangle without a colour; how many.
+    std::size_t read_face_lines(TextScanner& scanner, std::size_t i, OffFaces& faces) const {
         const std::size_t end = header_.vertices + header_.faces;
         if (i < header_.vertices || i >= end) return 0;
         return faces.read_plain(scanner, header_.vertices, end - i);

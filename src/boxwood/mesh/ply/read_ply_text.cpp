@@ -120,7 +120,7 @@ private:
 
     /// Where each chunk's faces go if all are triangles and nothing else.
     void place_faces() {
-        if (!has_plain_faces_ || body_.faces->count > body_.max_faces) return;
+        if (!has_plain_faces_) return;
         resize_on_huge_pages(body_.mesh.faces, body_.faces->count);
         std::size_t before = 0;
         for (auto element = elements_.begin(); *element != body_.faces; ++element)

@@ -12,7 +12,7 @@ template <class Bytes>
 BOXWOOD_KERNEL LineCounts count_lines(const char* at, const char* end) {
     LineCounts counts;
     bool is_start = false;  // whether the next character begins a line, and not the first
-    for (; end - at >= kTextWindow; at += kTextWindow) {
+    for (; kFirstIsLowest && end - at >= kTextWindow; at += kTextWindow) {
         prefetch_text(at);
         const auto is_line_end = [](auto x) { return Bytes::equal(x, '\n'); };
         const auto is_doubtful = [](auto x) { return Bytes::less(x, '!') | Bytes::equal(x, '#'); };

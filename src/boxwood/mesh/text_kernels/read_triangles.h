@@ -15,8 +15,8 @@ template <class Bytes>
 BOXWOOD_KERNEL bool read_triangle(const char*& at, std::uint32_t first, std::uint32_t count,
                                   int* indices) {
     constexpr unsigned kMostDigits = 8;
-    constexpr int kSize = Bytes::kWidth > 32 ? Bytes::kWidth : 32;
-    // What is beyond 32 characters can't belong to such a line. There are always enough gaps.
+    constexpr int kSize = 32;
+    // Such a line has no more, and what is beyond are gaps, so that there are always enough.
     const std::uint64_t line_ends =
         text_mask<Bytes, kSize>(at, [](auto x) { return Bytes::equal(x, '\n'); });
     std::uint64_t gaps = ~text_mask<Bytes, kSize>(at, [](auto x) { return Bytes::digits(x); }) |

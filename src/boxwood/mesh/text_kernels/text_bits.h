@@ -11,6 +11,10 @@
 
 namespace boxwood {
 
+/// Whether the first characters are the lowest ones of a word. Where not, no line is taken for
+/// plain.
+constexpr bool kFirstIsLowest = std::endian::native == std::endian::little;
+
 /// The mask of a window of characters, or of a part of it, of which a vector's mask is taken.
 template <class Bytes, int kSize = kTextWindow, class MaskOf>
 BOXWOOD_KERNEL std::uint64_t text_mask(const char* at, const MaskOf& mask_of) {
@@ -21,7 +25,10 @@ BOXWOOD_KERNEL std::uint64_t text_mask(const char* at, const MaskOf& mask_of) {
 
 /// Asks for the text some lines ahead: machines that look ahead by themselves stop where a page
 /// ends.
-BOXWOOD_KERNEL void prefetch_text(const char* at) { __builtin_prefetch(at + 4096); }
+BOXWOOD_KERNEL void prefetch_text(const char* at) {
+    // There need be none that far.
+    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(at) + 4096));
+}
 
 BOXWOOD_KERNEL bool has_prefix(const char* at, const LinePrefix& prefix) {
     std::uint64_t text;
@@ -47,7 +54,7 @@ BOXWOOD_KERNEL unsigned end_of_numbers(const char* line, unsigned line_end) {
 template <class ReadLine>
 BOXWOOD_KERNEL std::size_t read_lines(PlainText& text, const LinePrefix& prefix, std::size_t most,
                                       const ReadLine& read_line) {
-    if (std::endian::native != std::endian::little || text.at - text.begin < kTextBehind) return 0;
+    if (!kFirstIsLowest || text.at - text.begin < kTextBehind) return 0;
     const LinePrefix expected = prefix;
     const char *at = text.at, *const end = text.end;
     std::size_t count = 0;

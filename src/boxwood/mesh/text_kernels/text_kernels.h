@@ -12,7 +12,8 @@ namespace boxwood {
 
 /// Characters that a prefix and blanks behind it may have, and those of a window behind them.
 constexpr std::ptrdiff_t kMostPrefix = 8, kTextWindow = 64, kTextAhead = kMostPrefix + kTextWindow;
-/// A number's digits, and its point.
+/// Sixteen characters are loaded that end with a number, or before the last of one that has a
+/// point.
 constexpr std::ptrdiff_t kTextBehind = 16;
 
 /// Those of one instruction set: the functions of plain_lines.h, but that a line is never taken for
