@@ -11,12 +11,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory>
+#include <utility>
 #include <vector>
 
 #include "boxwood/build/morton_order.h"
 #include "boxwood/build/slots.h"
+#include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/tree/parents.h"
 
@@ -41,6 +43,7 @@ struct Subtree {
     Range range;
     std::uint32_t root;  ///< in the tree
     std::vector<Node> nodes = {};
+    int deepest = 0;  ///< of its leaves, counted from the tree's root
 };
 
 class MortonBuilder {
@@ -48,19 +51,23 @@ public:
     MortonBuilder(std::span<const Box3f> boxes, std::uint32_t largest_leaf)
         : boxes_(boxes),
           largest_leaf_(largest_leaf),
-          memory_(new MortonKey[2 * boxes.size()]),
-          keys_(memory_.get(), boxes.size()),
-          scratch_(memory_.get() + boxes.size(), boxes.size()) {}
+          memory_(2 * boxes.size() * sizeof(MortonKey)),
+          keys_(reinterpret_cast<MortonKey*>(memory_.data()), boxes.size()),
+          scratch_(keys_.data() + boxes.size(), boxes.size()) {}
 
     Tree build() && {
         number_primitives(keys_);
-        tree_.order.resize(boxes_.size());
+        resize_on_huge_pages(tree_.order, boxes_.size());
         tree_.nodes.resize(1);
         split_into_subtrees(0, {0, static_cast<std::uint32_t>(boxes_.size()), 0});
         parallel_for(subtrees_.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) build_subtree(subtrees_[i]);
         });
         put_in_place();
+        const bool is_deep = std::any_of(subtrees_.begin(), subtrees_.end(), [](const Subtree& s) {
+            return s.deepest > static_cast<int>(kDeepestWithoutParents);
+        });
+        if (is_deep) add_parents(tree_);
         return std::move(tree_);
     }
 
@@ -79,18 +86,20 @@ private:
     void build_subtree(Subtree& subtree) {
         subtree.nodes.reserve(2 * subtree.range.size() / ((largest_leaf_ + 1) / 2));
         subtree.nodes.resize(1);
-        build_node(subtree.nodes, 0, subtree.range);
+        build_node(subtree, 0, subtree.range);
     }
 
-    void build_node(std::vector<Node>& nodes, std::uint32_t index, const Range& range) {
+    void build_node(Subtree& subtree, std::uint32_t index, const Range& range) {
+        std::vector<Node>& nodes = subtree.nodes;
         if (range.size() <= largest_leaf_) {
             make_leaf(nodes[index], range);
+            subtree.deepest = std::max(subtree.deepest, range.depth);
             return;
         }
         const std::uint32_t middle = split(range);
         const std::uint32_t left = add_children(nodes, index);
-        build_node(nodes, left, {range.begin, middle, range.depth + 1});
-        build_node(nodes, left + 1, {middle, range.end, range.depth + 1});
+        build_node(subtree, left, {range.begin, middle, range.depth + 1});
+        build_node(subtree, left + 1, {middle, range.end, range.depth + 1});
         nodes[index].box = merged(nodes[left].box, nodes[left + 1].box);
     }
 
@@ -134,7 +143,9 @@ private:
         std::vector<std::uint32_t> place(subtrees_.size() + 1, top);
         for (std::size_t i = 0; i < subtrees_.size(); ++i)
             place[i + 1] = place[i] + static_cast<std::uint32_t>(subtrees_[i].nodes.size()) - 1;
-        tree_.nodes.resize(place.back());
+        std::vector<Node> upper = std::exchange(tree_.nodes, {});
+        resize_on_huge_pages(tree_.nodes, place.back());
+        std::copy(upper.begin(), upper.end(), tree_.nodes.begin());
         parallel_for(subtrees_.size(), 16, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const std::vector<Node>& nodes = subtrees_[i].nodes;
@@ -158,7 +169,7 @@ private:
 
     std::span<const Box3f> boxes_;
     std::uint32_t largest_leaf_;
-    std::unique_ptr<MortonKey[]> memory_;
+    Arena memory_;
     std::span<MortonKey> keys_, scratch_;
     std::vector<Subtree> subtrees_;
     Tree tree_;
@@ -169,9 +180,7 @@ private:
 Tree build_morton(std::span<const Box3f> boxes, const MortonOptions& options) {
     if (options.largest_leaf < 1) throw InvalidInput("build_morton: expected leaves of at least 1");
     if (boxes.empty()) return {};
-    Tree tree = MortonBuilder(boxes, options.largest_leaf).build();
-    add_parents(tree);
-    return tree;
+    return MortonBuilder(boxes, options.largest_leaf).build();
 }
 
 }  // namespace boxwood

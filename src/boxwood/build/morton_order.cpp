@@ -30,15 +30,27 @@ constexpr std::array<std::uint32_t, kCells> kSpread = [] {
     return table;
 }();
 
+/// Calls visit(key) for each of the given ones, whose boxes are asked for early: they may lie
+/// anywhere, and where they follow one another, machines that look ahead stop where a page ends.
+template <class Keys, class Visit>
+void for_each_key(std::span<const Box3f> boxes, Keys keys, const Visit& visit) {
+    constexpr std::size_t kAhead = 32;
+    const std::size_t last = keys.size() - 1;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        __builtin_prefetch(&boxes[primitive_of(keys[std::min(i + kAhead, last)])]);
+        visit(keys[i]);
+    }
+}
+
 Box3f bounds_of_centroids(std::span<const Box3f> boxes, std::span<const MortonKey> keys) {
     return parallel_reduce(
         keys.size(), kPiece, Box3f{},
         [&](std::size_t begin, std::size_t end) {
             Box3f bounds;
-            for (const MortonKey key : keys.subspan(begin, end - begin)) {
+            for_each_key(boxes, keys.subspan(begin, end - begin), [&](MortonKey key) {
                 const Vec3f centroid = boxes[primitive_of(key)].centroid();
                 if (centroid.allFinite()) bounds.extend(centroid);
-            }
+            });
             return bounds;
         },
         [](const Box3f& a, const Box3f& b) { return merged(a, b); });
@@ -83,10 +95,10 @@ void sort_by_morton_code(std::span<const Box3f> boxes, std::span<MortonKey> keys
                          std::span<MortonKey> scratch) {
     const MortonCube cube(bounds_of_centroids(boxes, keys));
     parallel_for(keys.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        for (MortonKey& key : keys.subspan(begin, end - begin)) {
+        for_each_key(boxes, keys.subspan(begin, end - begin), [&](MortonKey& key) {
             const std::uint32_t primitive = primitive_of(key);
             key = morton_key(cube.code(boxes[primitive].centroid()), primitive);
-        }
+        });
     });
     radix_sort(keys, scratch, 32, kMortonBits);
 }

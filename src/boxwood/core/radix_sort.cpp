@@ -23,6 +23,8 @@ constexpr int kDigitBits = 10;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 /// Fewer keys than this are faster sorted by comparing them.
 constexpr std::size_t kFewKeys = 64;
+/// Keys are asked for so early: machines that look ahead by themselves stop where a page ends.
+constexpr std::size_t kAhead = 256;
 
 void sort_by_insertion(std::span<std::uint64_t> keys, std::uint64_t mask) {
     for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -46,7 +48,10 @@ public:
     /// False when all keys have the same digit: then nothing is to be done.
     bool count(std::span<const std::uint64_t> keys) {
         for_each_block([&](std::size_t begin, std::size_t end, std::uint32_t* place) {
-            for (std::size_t i = begin; i < end; ++i) ++place[digit(keys[i])];
+            for (std::size_t i = begin; i < end; ++i) {
+                __builtin_prefetch(&keys[std::min(i + kAhead, count_ - 1)]);
+                ++place[digit(keys[i])];
+            }
         });
         // Row by row: columns, 4096 bytes apart, would share few lines of the cache.
         std::array<std::uint32_t, kDigits> next = {};
@@ -63,7 +68,10 @@ public:
 
     void move(std::span<const std::uint64_t> from, std::span<std::uint64_t> to) {
         for_each_block([&](std::size_t begin, std::size_t end, std::uint32_t* place) {
-            for (std::size_t i = begin; i < end; ++i) to[place[digit(from[i])]++] = from[i];
+            for (std::size_t i = begin; i < end; ++i) {
+                __builtin_prefetch(&from[std::min(i + kAhead, count_ - 1)]);
+                to[place[digit(from[i])]++] = from[i];
+            }
         });
     }
 

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/ray_triangle.h"
 
@@ -20,6 +23,20 @@ Vec3d scaled(const Vec3d& edge) {
     int exponent = 0;
     std::frexp(edge.cwiseAbs().maxCoeff(), &exponent);
     return edge.unaryExpr([&](double x) { return std::ldexp(x, -exponent); });
+}
+
+template <class Visit>
+void for_each_box(MeshView mesh, const Visit& visit) {
+    const std::size_t count = mesh.faces.size();
+    parallel_for(count, kPiece, [&](std::size_t begin, std::size_t end) {
+        // Vertices lie anywhere in memory: ask early for those of triangles to come.
+        constexpr std::size_t kAhead = 24;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::size_t ahead = std::min(i + kAhead, count - 1);
+            for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.corner(ahead, k));
+            visit(i, triangle_box(mesh, i));
+        }
+    });
 }
 
 }  // namespace
@@ -49,11 +66,16 @@ bool has_zero_area(MeshView mesh, std::size_t face) {
 }
 
 std::vector<Box3f> triangle_boxes(MeshView mesh) {
-    std::vector<Box3f> boxes(mesh.faces.size());
-    parallel_for(boxes.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) boxes[i] = triangle_box(mesh, i);
-    });
+    std::vector<Box3f> boxes;
+    resize_on_huge_pages(boxes, mesh.faces.size());
+    for_each_box(mesh, [&](std::size_t i, const Box3f& box) { boxes[i] = box; });
     return boxes;
+}
+
+std::span<const Box3f> triangle_boxes(MeshView mesh, const Arena& memory) {
+    auto* const boxes = reinterpret_cast<Box3f*>(memory.data());
+    for_each_box(mesh, [&](std::size_t i, const Box3f& box) { new (boxes + i) Box3f(box); });
+    return {boxes, mesh.faces.size()};
 }
 
 std::vector<Vec3d> triangle_centroids(MeshView mesh) {

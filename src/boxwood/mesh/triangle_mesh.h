@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "boxwood/core/arena.h"
 #include "boxwood/core/box.h"
 #include "boxwood/core/vec.h"
 
@@ -65,6 +66,10 @@ inline Box3f triangle_box(MeshView mesh, std::size_t face) {
 
 /// The triangle_box() of each triangle. O(n), all cores.
 std::vector<Box3f> triangle_boxes(MeshView mesh);
+
+/// Likewise, in memory of that size that nothing else is in: for speed, as nobody touches it
+/// before.
+std::span<const Box3f> triangle_boxes(MeshView mesh, const Arena& memory);
 
 /// The mean of each triangle's corners. O(n), all cores.
 std::vector<Vec3d> triangle_centroids(MeshView mesh);

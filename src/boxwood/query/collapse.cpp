@@ -15,11 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
 
+#include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/query/wide_cost.h"
@@ -53,8 +53,10 @@ public:
           tree_(tree),
           scale_(scale),
           compact_(compact),
-          plans_(new Plan[tree.nodes.size()]),
-          rows_(new Row[tree.nodes.size()]) {
+          rows_memory_(tree.nodes.size() * sizeof(Row)),
+          plans_memory_(tree.nodes.size() * sizeof(Plan)),
+          rows_(reinterpret_cast<Row*>(rows_memory_.data())),
+          plans_(reinterpret_cast<Plan*>(plans_memory_.data())) {
         const double area = tree.root().box.surface_area();
         inverse_area_ = area > 0 ? 1 / area : 0;
     }
@@ -364,8 +366,9 @@ private:
     const Tree& tree_;
     float scale_;
     bool compact_;
-    std::unique_ptr<Plan[]> plans_;
-    std::unique_ptr<Row[]> rows_;
+    Arena rows_memory_, plans_memory_;
+    Row* rows_;
+    Plan* plans_;
     double inverse_area_;
     std::byte* memory_ = nullptr;
     std::mutex left_out_mutex_;

@@ -7,6 +7,7 @@
 #include "boxwood/build/morton.h"
 #include "boxwood/build/reinsertion.h"
 #include "boxwood/build/spatial_split.h"
+#include "boxwood/core/arena.h"
 
 namespace boxwood {
 
@@ -20,6 +21,11 @@ BuiltTree collapsed(MeshView mesh, Tree tree, const WideBuildOptions& options) {
                   {.instruction_set = options.instruction_set,
                    .compact = options.preset == BuildPreset::compact});
     return {std::move(tree), std::move(wide)};
+}
+
+Tree fast(MeshView mesh, std::uint32_t width) {
+    const Arena memory(mesh.faces.size() * sizeof(Box3f));
+    return build_morton(triangle_boxes(mesh, memory), {.largest_leaf = width});
 }
 
 Tree balanced(MeshView mesh, std::uint32_t width) {
@@ -40,10 +46,7 @@ Tree with_splits(MeshView mesh, std::uint32_t width) {
 
 BuiltTree build_preset(MeshView mesh, const WideBuildOptions& options) {
     const auto width = static_cast<std::uint32_t>(lanes(options.instruction_set));
-    if (options.preset == BuildPreset::fast) {
-        Tree tree = build_morton(triangle_boxes(mesh), {.largest_leaf = width});
-        return collapsed(mesh, std::move(tree), options);
-    }
+    if (options.preset == BuildPreset::fast) return collapsed(mesh, fast(mesh, width), options);
     BuiltTree whole = collapsed(mesh, balanced(mesh, width), options);
     if (options.preset != BuildPreset::best) return whole;
     // The cost of the wide tree tells which is faster; that of the binary one doesn't.
