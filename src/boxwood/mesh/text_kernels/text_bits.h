@@ -25,10 +25,7 @@ BOXWOOD_KERNEL std::uint64_t text_mask(const char* at, const MaskOf& mask_of) {
 
 /// Asks for the text some lines ahead: machines that look ahead by themselves stop where a page
 /// ends.
-BOXWOOD_KERNEL void prefetch_text(const char* at) {
-    // There need be none that far.
-    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(at) + 4096));
-}
+BOXWOOD_KERNEL void prefetch_text(const char* at) { __builtin_prefetch(at + 4096); }
 
 BOXWOOD_KERNEL bool has_prefix(const char* at, const LinePrefix& prefix) {
     std::uint64_t text;
