@@ -146,6 +146,17 @@ private:
     PlainText text_ = {};
 };
 
+/// The words of the one line that was read, empty if it isn't plain. Damage may have put another
+/// line's end into the text.
+std::vector<std::string> words_read(const std::string& text, const Framed& framed,
+                                    std::string_view prefix) {
+    const std::string line = text.substr(0, framed.read());
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\n'), 1);
+    const auto words = plain_words(line, prefix);
+    EXPECT_TRUE(words);
+    return words.value_or(std::vector<std::string>());
+}
+
 class TextKernelsTest : public testing::TestWithParam<Named<InstructionSet>> {
 protected:
     void SetUp() override {
@@ -190,16 +201,12 @@ TEST_P(TextKernelsTest, rows_are_read_as_the_library_reads_their_words) {
             continue;
         }
         ++plain;
-        // Damage may have put another line's end into the line.
-        const std::string read = line.substr(0, framed.read());
-        EXPECT_EQ(std::count(read.begin(), read.end(), '\n'), 1);
-        const auto words = plain_words(read, prefix);
-        ASSERT_TRUE(words);
-        ASSERT_EQ(words->size(), columns);
+        const std::vector<std::string> words = words_read(line, framed, prefix);
+        ASSERT_EQ(words.size(), columns);
         for (std::size_t k = 0; k < columns; ++k) {
-            const auto number = number_of((*words)[k]);
+            const auto number = number_of(words[k]);
             ASSERT_TRUE(number);
-            EXPECT_TRUE(are_same(numbers[k], *number)) << numbers[k] << " for " << (*words)[k];
+            EXPECT_TRUE(are_same(numbers[k], *number)) << numbers[k] << " for " << words[k];
         }
     }
     EXPECT_GT(plain, 40000U);
@@ -236,13 +243,10 @@ TEST_P(TextKernelsTest, triangles_are_read_as_the_library_reads_their_words) {
             continue;
         }
         ++plain;
-        const std::string read = line.substr(0, framed.read());
-        EXPECT_EQ(std::count(read.begin(), read.end(), '\n'), 1);
-        const auto words = plain_words(read, is_obj ? "f " : "3 ");
-        ASSERT_TRUE(words);
-        ASSERT_EQ(words->size(), 3U);
+        const std::vector<std::string> words = words_read(line, framed, is_obj ? "f " : "3 ");
+        ASSERT_EQ(words.size(), 3U);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto index = index_of((*words)[k], first, count);
+            const auto index = index_of(words[k], first, count);
             ASSERT_TRUE(index);
             EXPECT_EQ(indices[k], static_cast<int>(*index));
         }

@@ -56,4 +56,16 @@ std::size_t read_plain_triangles(PlainText& text, const LinePrefix& prefix, std:
 
 LineCounts line_counts(std::string_view text);
 
+/// Lets read(PlainText&), one of these, go on from where a scanner stands, the start of a line, and
+/// moves it past the lines that were read. Returns how many, which read() must return, too.
+template <class Read>
+std::size_t read_on(const char* begin, const char*& at, const char* end, std::size_t& line,
+                    const Read& read) {
+    PlainText text = {begin, at, end};
+    const std::size_t count = read(text);
+    at = text.at;
+    line += count;
+    return count;
+}
+
 }  // namespace boxwood

@@ -73,15 +73,10 @@ public:
     /// The next word as a whole number of 64 bits, or nothing, staying before it.
     std::optional<std::int64_t> integer() { return parsed<std::int64_t>(); }
 
-    /// Lets read(PlainText&) go on from here, the start of a line, past lines that it knows.
-    /// Returns how many these were, which it must return, too. For speed: see plain_lines.h.
+    /// Has plain lines read from here, the start of a line: see read_on(). For speed.
     template <class Read>
     std::size_t plain_lines(const Read& read) {
-        PlainText text = {begin_, at_, end_};
-        const std::size_t count = read(text);
-        at_ = text.at;
-        line_ += count;
-        return count;
+        return read_on(begin_, at_, end_, line_, read);
     }
 
 private:

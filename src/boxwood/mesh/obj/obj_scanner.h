@@ -109,15 +109,10 @@ public:
         return value;
     }
 
-    /// Lets read(PlainText&) go on from here, the start of a statement, past lines that it knows.
-    /// Returns how many these were, which it must return, too. For speed: see plain_lines.h.
+    /// Has plain lines read from here, the start of a statement: see read_on(). For speed.
     template <class Read>
     std::size_t plain_lines(const Read& read) {
-        PlainText text = {begin_, at_, end_};
-        const std::size_t count = read(text);
-        at_ = text.at;
-        line_ += count;
-        return count;
+        return read_on(begin_, at_, end_, line_, read);
     }
 
     /// Reads so many numbers and moves to the end of the line if they fill what is left of it,
