@@ -39,14 +39,14 @@ std::vector<Entry> entries_for(const BenchMesh& mesh, const Peers& peers) {
     return entries;
 }
 
-/// One thread is timed by the processor time of all this process, two by the clock. Only this tree
-/// is there meanwhile: Embree's devices share threads.
+/// One thread is timed by its processor time, two by the clock. Only this tree is there meanwhile:
+/// Embree's devices share threads.
 void time_build(const BenchMesh& mesh, int threads, Entry& entry) {
     const auto tree = entry.peer->make(threads);
-    const double start = processor_seconds();
+    const double start = thread_seconds();
     cli::Stopwatch stopwatch;
     tree->build(mesh.plain(), entry.score.quality);
-    const double by_clock = stopwatch.lap(), by_processor = processor_seconds() - start;
+    const double by_clock = stopwatch.lap(), by_processor = thread_seconds() - start;
     entry.seconds[threads - 1].push_back(threads == 1 ? by_processor : by_clock);
     entry.score.bytes_a_triangle =
         static_cast<double>(tree->bytes()) / static_cast<double>(entry.score.triangles);
@@ -59,7 +59,7 @@ std::vector<Score> trace(const BenchMesh& mesh, const CommonOptions& options,
     std::vector<std::unique_ptr<Accelerator>> trees;
     std::vector<Contestant> contestants;
     for (const Entry& entry : entries) {
-        trees.push_back(entry.peer->make(1));
+        trees.push_back(entry.peer->make(kUntimedThreads));
         trees.back()->build(mesh.plain(), entry.score.quality);
         contestants.push_back({entry.score.library, entry.score.name, trees.back().get()});
     }

@@ -60,19 +60,19 @@ std::vector<Entry> entries_for(const BenchMesh& mesh, const GrowthOptions& optio
 /// A preset builds all that queries need; of the textbook's builders it is the tree that counts.
 void time_build(const BenchMesh& mesh, Entry& entry) {
     entry.scene.reset();
-    const double start = processor_seconds();
+    const double start = thread_seconds();
     if (entry.is_preset())
         entry.scene.emplace(std::vector<SceneMesh>{mesh.exact}, entry.options);
     else
         build_tree(mesh.exact, *entry.options.build);
-    entry.build_seconds.push_back(processor_seconds() - start);
+    entry.build_seconds.push_back(thread_seconds() - start);
 }
 
 void time_rays(const std::vector<Ray>& rays, std::vector<Hit>& hits, const Entry& entry,
                std::vector<double>& seconds) {
-    const double start = processor_seconds();
+    const double start = thread_seconds();
     entry.scene->closest_hits(rays, hits, {.on_this_thread = true});
-    seconds.push_back((processor_seconds() - start) / static_cast<double>(rays.size()));
+    seconds.push_back((thread_seconds() - start) / static_cast<double>(rays.size()));
 }
 
 std::size_t count_wrong(const RaySet& set, const std::vector<Hit>& hits) {

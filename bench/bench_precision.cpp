@@ -61,9 +61,9 @@ struct Way {
 
     template <class Work>
     void time(const Work& work) {
-        const double start = processor_seconds();
+        const double start = thread_seconds();
         work();
-        seconds.push_back(processor_seconds() - start);
+        seconds.push_back(thread_seconds() - start);
     }
     double mrays(std::size_t rays) const {
         return 1e-6 * static_cast<double>(rays) / median(seconds);

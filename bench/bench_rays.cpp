@@ -36,7 +36,7 @@ std::vector<Score> measure(const BenchMesh& mesh, const Peers& peers, const Comm
     const std::vector<RaySet> sets = make_ray_sets(mesh, options.kinds(), options.rays);
     std::vector<std::unique_ptr<Accelerator>> trees;
     for (const auto& peer : peers) {
-        trees.push_back(peer->make(1));
+        trees.push_back(peer->make(kUntimedThreads));
         trees.back()->build(mesh.plain(), Quality::high);
     }
     std::vector<Score> scores;

@@ -48,9 +48,9 @@ void check(const RaySet& set, const Answers& answers, Score& score) {
 
 }  // namespace
 
-double processor_seconds() {
+double thread_seconds() {
     timespec time = {};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -58,9 +58,9 @@ double seconds_of(int threads, std::size_t count,
                   const std::function<void(std::size_t, std::size_t)>& work) {
     constexpr std::size_t kPiece = 8192;
     if (threads == 1) {
-        const double start = processor_seconds();
+        const double start = thread_seconds();
         work(0, count);
-        return processor_seconds() - start;
+        return thread_seconds() - start;
     }
     cli::Stopwatch stopwatch;
     std::atomic<std::size_t> next = 0;

@@ -44,12 +44,12 @@ std::vector<Score> run_contest(const std::string& mesh, const RaySet& set,
 /// "single", "packets of 8" ...
 std::string_view name_of(Mode mode);
 
-/// Of this process, all threads together.
-double processor_seconds();
+/// Processor time of the calling thread.
+double thread_seconds();
 
-/// Seconds for work(begin, end) on all of [0, count). One thread is timed by the processor time of
-/// all this process, so that other programs disturb less; several threads, by the clock, take
-/// pieces as they come.
+/// Seconds for work(begin, end) on all of [0, count). One thread is timed by its processor
+/// time, so that other programs disturb less, and threads that a library keeps awake don't count;
+/// several threads, by the clock, take pieces as they come.
 double seconds_of(int threads, std::size_t count,
                   const std::function<void(std::size_t, std::size_t)>& work);
 

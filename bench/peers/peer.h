@@ -100,6 +100,11 @@ public:
     virtual std::unique_ptr<Accelerator> make(int threads) const = 0;
 };
 
+/// On how many threads trees are built of which only the rays are timed. Not on one: for a device of
+/// one thread the oneTBB that comes with Embree 4 keeps a second one spinning as long as the device
+/// is there (its issue 1417), which takes half of a core from whoever traces.
+inline constexpr int kUntimedThreads = 2;
+
 using Peers = std::vector<std::unique_ptr<Peer>>;
 
 }  // namespace boxwood::bench
