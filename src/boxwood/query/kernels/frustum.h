@@ -41,12 +41,41 @@ BOXWOOD_KERNEL BlockTriangle triangle_of_code(const WideTreeView& tree, std::uin
     return triangle_at<N>(tree, code / N, code % N);
 }
 
+/// A block's corners from the origin, along the axes of a group and the first two again: from each
+/// of the first three on, they are along the axes of a ray.
+template <class S>
+struct BlockFromOrigin {
+    typename S::Float corner[3][5];
+
+    BOXWOOD_KERNEL BlockFromOrigin(const TriangleBlock<S::kWidth>& block,
+                                   const FrustumRays<S>& rays) {
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 5; ++k) {
+                const int axis = k % 3;
+                corner[i][k] =
+                    S::load(block.corner[i][rays.axis[axis]]) - S::broadcast(rays.origin[axis]);
+            }
+        }
+    }
+
+    /// As one ray sees it.
+    BOXWOOD_KERNEL ShearedCorner<S> sheared(int i, const FrustumRays<S>& rays, int packet,
+                                            int ray) const {
+        const typename S::Float* along = &corner[i][rays.first_axis(packet, ray)];
+        return ShearedCorner<S>(along[0], along[1], along[2], S::broadcast(rays.sx[packet][ray]),
+                                S::broadcast(rays.sy[packet][ray]));
+    }
+};
+
 /// The rule is what becomes of triangles. It has
 /// - kIsRounded: whether rays and triangles are those in double, rounded;
 /// - kStepsOfOpen: what deciding a pair costs that isn't sure, in tests of pairs;
+/// - kFewRays: up to so many rays are tested with a block one by one;
 /// - start(packet): the packet has new rays;
 /// - decide_open(packet, code, sure): whether rays of the packet hit that triangle isn't sure.
 ///   Returns whether that brought what is near closer;
+/// - decide_ray(packet, ray, block, reference, from_origin, sure): the same for one ray and all
+///   triangles of a block;
 /// - write(sure, answers): the answers of all rays.
 template <class S, class Rule>
 class Frustum {
@@ -84,23 +113,21 @@ public:
     /// step is the test of a pair of a packet and a triangle.
     BOXWOOD_KERNEL bool run(std::size_t most_steps) {
         std::size_t steps = 0;
-        WideReference current = 0;
-        unsigned packets = FrustumRays<S>::kAll;
-        int size = 0;
-        for (;;) {
-            if (is_leaf(current)) {
-                steps += visit_block(current, packets) + kStepsPerBlock;
-                if (steps > most_steps) return false;
+        int size = visit_node(0, 0);
+        while (size > 0) {
+            const Entry entry = stack_[--size];
+            if (entry.enter > farthest_) continue;
+            const BoxInView box = box_of(entry);
+            const unsigned packets = packets_that_see(box);
+            if (packets == 0) continue;
+            if (!is_leaf(entry.reference)) {
+                size = visit_node(entry.reference, size);
             } else {
-                size = visit_node(current, size);
+                steps += visit_leaf(entry.reference, box, packets);
+                if (steps > most_steps) return false;
             }
-            do {
-                if (size == 0) return true;
-                const Entry& entry = stack_[--size];
-                current = entry.reference;
-                packets = entry.enter <= farthest_ ? packets_that_see(entry) : 0;
-            } while (packets == 0);
         }
+        return true;
     }
 
     template <class Answer>
@@ -177,31 +204,80 @@ private:
         return size;
     }
 
-    /// One box against the frusta of all packets.
-    BOXWOOD_KERNEL unsigned packets_that_see(const Entry& entry) const {
+    /// One box, as seen from the origin.
+    struct BoxInView {
+        float near, far;
+        Float lo_x, hi_x, lo_y, hi_y;
+    };
+
+    BOXWOOD_KERNEL BoxInView box_of(const Entry& entry) const {
         const WideNode<N>& node = tree_.template node<N>(entry.parent);
+        const auto& slabs = node.slabs;
         const std::uint32_t i = entry.slot;
         const float far_face =
-            rays_.sign > 0 ? node.slabs[rays_.axis[2]].hi[i] : node.slabs[rays_.axis[2]].lo[i];
-        const Float near = S::broadcast(entry.enter);
-        const Float far = S::broadcast((far_face - rays_.origin[2]) * rays_.sign + rays_.rounding);
-        const Float lo_x =
-            S::broadcast(node.slabs[rays_.axis[0]].lo[i] - (rays_.origin[0] + rays_.rounding));
-        const Float hi_x =
-            S::broadcast(node.slabs[rays_.axis[0]].hi[i] - (rays_.origin[0] - rays_.rounding));
-        const Float lo_y =
-            S::broadcast(node.slabs[rays_.axis[1]].lo[i] - (rays_.origin[1] + rays_.rounding));
-        const Float hi_y =
-            S::broadcast(node.slabs[rays_.axis[1]].hi[i] - (rays_.origin[1] - rays_.rounding));
-        return S::less_equal(near, S::load(far_)) &
-               S::less_equal(lo_x, most(S::load(rays_.range_x[1]), near, far)) &
-               S::less_equal(least(S::load(rays_.range_x[0]), near, far), hi_x) &
-               S::less_equal(lo_y, most(S::load(rays_.range_y[1]), near, far)) &
-               S::less_equal(least(S::load(rays_.range_y[0]), near, far), hi_y);
+            rays_.sign > 0 ? slabs[rays_.axis[2]].hi[i] : slabs[rays_.axis[2]].lo[i];
+        return {entry.enter, (far_face - rays_.origin[2]) * rays_.sign + rays_.rounding,
+                S::broadcast(slabs[rays_.axis[0]].lo[i] - (rays_.origin[0] + rays_.rounding)),
+                S::broadcast(slabs[rays_.axis[0]].hi[i] - (rays_.origin[0] - rays_.rounding)),
+                S::broadcast(slabs[rays_.axis[1]].lo[i] - (rays_.origin[1] + rays_.rounding)),
+                S::broadcast(slabs[rays_.axis[1]].hi[i] - (rays_.origin[1] - rays_.rounding))};
     }
 
-    BOXWOOD_KERNEL std::size_t visit_block(WideReference reference, unsigned packets) {
+    /// Which of N rectangles of slopes it is in.
+    BOXWOOD_KERNEL static unsigned are_in(const BoxInView& box, Float from_x, Float to_x,
+                                          Float from_y, Float to_y) {
+        const Float near = S::broadcast(box.near), far = S::broadcast(box.far);
+        return S::less_equal(box.lo_x, most(to_x, near, far)) &
+               S::less_equal(least(from_x, near, far), box.hi_x) &
+               S::less_equal(box.lo_y, most(to_y, near, far)) &
+               S::less_equal(least(from_y, near, far), box.hi_y);
+    }
+
+    BOXWOOD_KERNEL unsigned packets_that_see(const BoxInView& box) const {
+        return S::less_equal(S::broadcast(box.near), S::load(far_)) &
+               are_in(box, S::load(rays_.range_x[0]), S::load(rays_.range_x[1]),
+                      S::load(rays_.range_y[0]), S::load(rays_.range_y[1]));
+    }
+
+    BOXWOOD_KERNEL unsigned rays_that_see(const BoxInView& box, int packet) const {
+        const Float x = S::load(rays_.slope_x[packet]), y = S::load(rays_.slope_y[packet]);
+        // So that a NaN, of a ray that ends where it starts, is not too far.
+        const unsigned too_far = S::less(S::broadcast(1 + 0x1p-18f),
+                                         S::broadcast(box.near) * S::load(sure_.near[packet]));
+        return are_in(box, x, x, y, y) & ~too_far;
+    }
+
+    /// Returns how many steps it took.
+    BOXWOOD_KERNEL std::size_t visit_leaf(WideReference reference, const BoxInView& box,
+                                          unsigned packets) {
+        unsigned rays[N], seeing = 0;
+        int count = 0;
+        for (unsigned rest = packets; rest != 0; rest &= rest - 1) {
+            const int packet = __builtin_ctz(rest);
+            rays[packet] = rays_that_see(box, packet);
+            count += __builtin_popcount(rays[packet]);
+            seeing |= unsigned{rays[packet] != 0} << packet;
+        }
+        if (count == 0) return 0;
         const TriangleBlock<N>& block = block_at<N>(tree_, reference, room_);
+        if (count > Rule::kFewRays) return visit_block(reference, block, seeing) + kStepsPerBlock;
+        unsigned changed = 0;
+        const BlockFromOrigin<S> from_origin(block, rays_);
+        for (; seeing != 0; seeing &= seeing - 1) {
+            const int packet = __builtin_ctz(seeing);
+            for (unsigned rest = rays[packet]; rest != 0; rest &= rest - 1) {
+                const int ray = __builtin_ctz(rest);
+                const bool is_closer =
+                    rule_.decide_ray(packet, ray, block, reference, from_origin, sure_);
+                changed |= unsigned{is_closer} << packet;
+            }
+        }
+        note_changes(changed);
+        return static_cast<std::size_t>(count);
+    }
+
+    BOXWOOD_KERNEL std::size_t visit_block(WideReference reference, const TriangleBlock<N>& block,
+                                           unsigned packets) {
         view_.template look<Rule::kIsRounded>(block, rays_, packets, nearest_, group_nearest_);
         // Those that the linear functions leave open, of all pairs.
         std::uint8_t open[N * N + 1];
@@ -230,11 +306,15 @@ private:
             const bool is_closer = rule_.decide_open(packet, code_of<N>(reference, j), sure_);
             changed |= unsigned{is_closer} << packet;
         }
-        if (changed != 0) {
-            for (; changed != 0; changed &= changed - 1) set_far(__builtin_ctz(changed));
-            set_farthest();
-        }
+        note_changes(changed);
         return static_cast<std::size_t>(view_.pairs + Rule::kStepsOfOpen * opens);
+    }
+
+    /// The closest hits of those packets came nearer.
+    BOXWOOD_KERNEL void note_changes(unsigned packets) {
+        if (packets == 0) return;
+        for (; packets != 0; packets &= packets - 1) set_far(__builtin_ctz(packets));
+        set_farthest();
     }
 
     const WideTreeView& tree_;

@@ -15,6 +15,7 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = true;
     static constexpr int kStepsOfOpen = 8;
+    static constexpr int kFewRays = N;
 
     BOXWOOD_KERNEL FrustumCandidates(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
@@ -61,6 +62,48 @@ public:
                  S::select(closer, S::max(nearest, S::load(sure.surely_near[packet])),
                            S::load(sure.surely_near[packet])));
         return closer != 0;
+    }
+
+    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, const TriangleBlock<N>&,
+                                   WideReference reference, const BlockFromOrigin<S>& from_origin,
+                                   SureHits<S>& sure) {
+        const auto sheared = [&](int i) { return from_origin.sheared(i, rays_, packet, ray); };
+        const CandidateTest<S> test(sheared(0), sheared(1), sheared(2),
+                                    S::broadcast(rays_.sz[packet][ray]), rays_.error);
+        float& near = sure.near[packet][ray];
+        const float depth = rays_.depth[packet][ray];
+        unsigned open =
+            test.may_be_hit(rays_.t_min, S::broadcast((1 + 0x1p-18f) / (near * depth)));
+        // The triangle that is noted as taken is no other.
+        const std::uint32_t first_code = code_of<N>(reference, 0);
+        if ((sure.taken[packet] >> ray & 1) && sure.code[packet][ray] - first_code < N)
+            open &= ~(1u << (sure.code[packet][ray] - first_code));
+        if (open == 0) return false;
+        const Float first = test.nearest();
+        const Float inverse_depth = S::broadcast(1) / (first * S::broadcast(depth));
+        alignas(64) float nearest[N], farthest_hit[N];
+        S::store(nearest, S::select(S::less(S::broadcast(0), first),
+                                    inverse_depth * S::broadcast(1 + kDepthRounding),
+                                    S::broadcast(__builtin_inff())));
+        for (unsigned rest = open; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            noted_[packet][ray].add(first_code + static_cast<std::uint32_t>(lane), nearest[lane],
+                                    near);
+        }
+        unsigned hit = open & test.is_hit() & S::less_equal(S::broadcast(rays_.least_t), first);
+        if (hit == 0) return false;
+        S::store(farthest_hit, S::broadcast(1 - kDepthRounding) /
+                                   (test.no_farther() * S::broadcast(depth)));
+        bool is_closer = false;
+        for (; hit != 0; hit &= hit - 1) {
+            const int lane = __builtin_ctz(hit);
+            if (!(near < farthest_hit[lane])) continue;
+            near = farthest_hit[lane];
+            float& surely_near = sure.surely_near[packet][ray];
+            if (surely_near < nearest[lane]) surely_near = nearest[lane];
+            is_closer = true;
+        }
+        return is_closer;
     }
 
     BOXWOOD_KERNEL void write(const SureHits<S>& sure, Candidates* candidates) {

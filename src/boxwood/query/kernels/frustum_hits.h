@@ -16,6 +16,7 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = false;
     static constexpr int kStepsOfOpen = 0;  ///< there are few
+    static constexpr int kFewRays = N;
 
     BOXWOOD_KERNEL FrustumHits(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
@@ -36,6 +37,45 @@ public:
         };
         raise(sure.near[packet], 1 - kDepthRounding);
         raise(sure.surely_near[packet], 1 + kDepthRounding);
+        return true;
+    }
+
+    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, const TriangleBlock<N>& block,
+                                   WideReference, const BlockFromOrigin<S>& from_origin,
+                                   SureHits<S>& sure) {
+        const auto sheared = [&](int i) { return from_origin.sheared(i, rays_, packet, ray); };
+        float& t = t_[packet][ray];
+        const BlockHit<S> hit =
+            intersect<S>(sheared(0), sheared(1), sheared(2), S::broadcast(rays_.sz[packet][ray]),
+                         S::broadcast(rays_.t_min), S::broadcast(t));
+        if (hit.mask == 0) return false;
+        const float least = S::least(hit.mask, hit.t);
+        const int lane = __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
+        // Equal distances go to the lower triangle.
+        if (least == t && triangle_[packet][ray] <= block.triangle[lane]) return false;
+        t = least;
+        triangle_[packet][ray] = block.triangle[lane];
+        alignas(64) float v[N], w[N], determinant[N];
+        S::store(v, hit.v);
+        S::store(w, hit.w);
+        S::store(determinant, hit.determinant);
+        v_[packet][ray] = v[lane];
+        w_[packet][ray] = w[lane];
+        determinant_[packet][ray] = determinant[lane];
+        for (int k = 0; k < 3; ++k) {
+            const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+            const auto along = [&](int corner, int axis) {
+                return block.corner[corner][axis][lane] - block.corner[0][axis][lane];
+            };
+            normal_[k][packet][ray] = along(1, i) * along(2, j) - along(1, j) * along(2, i);
+        }
+        hit_[packet] |= 1u << ray;
+        const float nearest = 1 / (t * rays_.depth[packet][ray]);
+        const auto raise = [&](float& place, float inverse_depth) {
+            if (inverse_depth > place) place = inverse_depth;
+        };
+        raise(sure.near[packet][ray], nearest * (1 - kDepthRounding));
+        raise(sure.surely_near[packet][ray], nearest * (1 + kDepthRounding));
         return true;
     }
 

@@ -74,6 +74,12 @@ struct FrustumRays {
                                 turned(packet, x, y, z), S::load(sx[packet]), S::load(sy[packet]));
     }
 
+    /// Of x, y and z the one from which on they are the axes of a ray.
+    BOXWOOD_KERNEL int first_axis(int packet, int ray) const {
+        if (all_along_z[packet]) return 0;
+        return static_cast<int>((along_x[packet] >> ray & 1) + 2 * (along_y[packet] >> ray & 1));
+    }
+
     /// What rays of a packet take that are longest along x, along y and along z. Precondition: not
     /// all_along_z.
     BOXWOOD_KERNEL Float turned(int packet, Float by_x, Float by_y, Float by_z) const {
