@@ -53,11 +53,25 @@ BOXWOOD_KERNEL bool share_origin(const Rayf& a, const Rayf& b) {
            (a.origin[2] == b.origin[2]);
 }
 
-/// Asks for what will be read or written at one go.
-template <class T>
-BOXWOOD_KERNEL void fetch_ahead(const T* first, std::size_t count) {
-    for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(first + i, 0, 2);
-}
+/// Asks for what a group will be read from next and be written to. Bit by bit, between
+/// computations, as a processor waits for few places in memory at a time.
+template <class Answer>
+struct GroupFetch {
+    const Rayf* next_rays;
+    const Answer* answers;
+
+    BOXWOOD_KERNEL void operator()(std::size_t first, std::size_t count) const {
+        ask_for(next_rays + first, count);
+        ask_for(answers + first, count);
+    }
+
+private:
+    template <class T>
+    BOXWOOD_KERNEL static void ask_for(const T* place, std::size_t count) {
+        for (std::size_t i = 0; i < count; i += 64 / sizeof(T))
+            __builtin_prefetch(place + i, 0, 2);
+    }
+};
 
 /// Groups of rays that start at one point go by frusta, all others in runs by others(begin, end).
 /// are_plain(begin, end) says whether such rays may go by a frustum.
@@ -76,11 +90,10 @@ BOXWOOD_KERNEL void answer_by_groups(const WideTreeView& tree, const Rayf* rays,
             continue;
         }
         if (tree.bytes > Frustum<S, Rule>::kLargestTree ||
-            !share_origin(rays[i], rays[i + kGroup - 1]) || !are_plain(i, i + kGroup) ||
-            !frustum.load(rays + i))
+            !share_origin(rays[i], rays[i + kGroup - 1]) || !are_plain(i, i + kGroup))
             continue;
-        if (i + 2 * kGroup <= count) fetch_ahead(rays + i + kGroup, kGroup);
-        fetch_ahead(answers + i, kGroup);
+        const Rayf* next_rays = i + 2 * kGroup <= count ? rays + i + kGroup : rays + i;
+        if (!frustum.load(rays + i, GroupFetch<Answer>{next_rays, answers + i})) continue;
         if (!frustum.run(kMostStepsPerRay * kGroup)) {
             passes = dense = dense < kMostPasses ? 2 * dense + 1 : dense;
             continue;

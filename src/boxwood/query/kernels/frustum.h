@@ -87,9 +87,11 @@ public:
 
     BOXWOOD_KERNEL explicit Frustum(const WideTreeView& tree) : tree_(tree), rule_(tree, rays_) {}
 
-    /// Takes in kRays rays; false when they can't be a group.
-    BOXWOOD_KERNEL bool load(const Rayf* rays) {
-        if (!rays_.load(tree_, rays)) return false;
+    /// Takes in kRays rays; false when they can't be a group. Calls meanwhile(first, count)
+    /// for some of them after the others.
+    template <class Meanwhile>
+    BOXWOOD_KERNEL bool load(const Rayf* rays, const Meanwhile& meanwhile) {
+        if (!rays_.load(tree_, rays, meanwhile)) return false;
         for (int packet = 0; packet < N; ++packet) {
             rule_.start(packet);
             sure_.taken[packet] = 0;

@@ -40,8 +40,11 @@ struct FrustumRays {
     bool all_along_z[N];              ///< of each packet: all rays are longest along z
     unsigned along_x[N], along_y[N];  ///< or else which are longest along x, along y
 
-    /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart.
-    BOXWOOD_KERNEL bool load(const WideTreeView& tree, const Rayf* rays) {
+    /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart. Calls
+    /// meanwhile(first, count) for the rays of each packet.
+    template <class Meanwhile>
+    BOXWOOD_KERNEL bool load(const WideTreeView& tree, const Rayf* rays,
+                             const Meanwhile& meanwhile) {
         const Rayf& first = rays[0];
         if (!(first.t_min >= 0) || !is_traceable<typename S::Quad>(first)) return false;
         RaySetup setup;
@@ -61,8 +64,10 @@ struct FrustumRays {
 
         is_endless = true;
         unsigned fits = kAll;
-        for (int packet = 0; packet < N; ++packet)
+        for (int packet = 0; packet < N; ++packet) {
             fits &= load_packet(packet, rays + packet * N, first);
+            meanwhile(static_cast<std::size_t>(packet) * N, N);
+        }
         return fits == kAll && find_ranges();
     }
 
