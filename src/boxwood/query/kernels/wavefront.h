@@ -15,7 +15,7 @@
 
 namespace boxwood {
 
-constexpr int kRaysInFlight = 40;
+constexpr int kRaysInFlight = 32;
 
 /// What is below everything else on the stack of a ray: nothing is left to visit.
 constexpr WideReference kDone = 0xffffffffu;
