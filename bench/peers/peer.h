@@ -100,9 +100,9 @@ public:
     virtual std::unique_ptr<Accelerator> make(int threads) const = 0;
 };
 
-/// On how many threads trees are built of which only the rays are timed. Not on one: for a device of
-/// one thread the oneTBB that comes with Embree 4 keeps a second one spinning as long as the device
-/// is there (its issue 1417), which takes half of a core from whoever traces.
+/// On how many threads trees are built of which only the rays are timed. Not on one: for a device
+/// of one thread the oneTBB that comes with Embree 4 keeps a second one spinning as long as the
+/// device is there (its issue 1417), which disturbs whoever traces.
 inline constexpr int kUntimedThreads = 2;
 
 using Peers = std::vector<std::unique_ptr<Peer>>;

@@ -68,8 +68,7 @@ struct GroupFetch {
 private:
     template <class T>
     BOXWOOD_KERNEL static void ask_for(const T* place, std::size_t count) {
-        for (std::size_t i = 0; i < count; i += 64 / sizeof(T))
-            __builtin_prefetch(place + i, 0, 2);
+        for (std::size_t i = 0; i < count; i += 64 / sizeof(T)) __builtin_prefetch(place + i, 0, 2);
     }
 };
 

@@ -218,7 +218,8 @@ private:
         const std::uint32_t i = entry.slot;
         const float far_face =
             rays_.sign > 0 ? slabs[rays_.axis[2]].hi[i] : slabs[rays_.axis[2]].lo[i];
-        return {entry.enter, (far_face - rays_.origin[2]) * rays_.sign + rays_.rounding,
+        return {entry.enter,
+                (far_face - rays_.origin[2]) * rays_.sign + rays_.rounding,
                 S::broadcast(slabs[rays_.axis[0]].lo[i] - (rays_.origin[0] + rays_.rounding)),
                 S::broadcast(slabs[rays_.axis[0]].hi[i] - (rays_.origin[0] - rays_.rounding)),
                 S::broadcast(slabs[rays_.axis[1]].lo[i] - (rays_.origin[1] + rays_.rounding)),

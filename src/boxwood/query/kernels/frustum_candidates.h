@@ -72,8 +72,7 @@ public:
                                     S::broadcast(rays_.sz[packet][ray]), rays_.error);
         float& near = sure.near[packet][ray];
         const float depth = rays_.depth[packet][ray];
-        unsigned open =
-            test.may_be_hit(rays_.t_min, S::broadcast((1 + 0x1p-18f) / (near * depth)));
+        unsigned open = test.may_be_hit(rays_.t_min, S::broadcast((1 + 0x1p-18f) / (near * depth)));
         // The triangle that is noted as taken is no other.
         const std::uint32_t first_code = code_of<N>(reference, 0);
         if ((sure.taken[packet] >> ray & 1) && sure.code[packet][ray] - first_code < N)
@@ -92,8 +91,8 @@ public:
         }
         unsigned hit = open & test.is_hit() & S::less_equal(S::broadcast(rays_.least_t), first);
         if (hit == 0) return false;
-        S::store(farthest_hit, S::broadcast(1 - kDepthRounding) /
-                                   (test.no_farther() * S::broadcast(depth)));
+        S::store(farthest_hit,
+                 S::broadcast(1 - kDepthRounding) / (test.no_farther() * S::broadcast(depth)));
         bool is_closer = false;
         for (; hit != 0; hit &= hit - 1) {
             const int lane = __builtin_ctz(hit);

@@ -40,8 +40,8 @@ struct FrustumRays {
     bool all_along_z[N];              ///< of each packet: all rays are longest along z
     unsigned along_x[N], along_y[N];  ///< or else which are longest along x, along y
 
-    /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart. Calls
-    /// meanwhile(first, count) for the rays of each packet.
+    /// Takes in kRays rays; false when they don't share an origin and t_min >= 0, or go apart.
+    /// Calls meanwhile(first, count) for the rays of each packet.
     template <class Meanwhile>
     BOXWOOD_KERNEL bool load(const WideTreeView& tree, const Rayf* rays,
                              const Meanwhile& meanwhile) {
