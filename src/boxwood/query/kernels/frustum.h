@@ -41,41 +41,14 @@ BOXWOOD_KERNEL BlockTriangle triangle_of_code(const WideTreeView& tree, std::uin
     return triangle_at<N>(tree, code / N, code % N);
 }
 
-/// A block's corners from the origin, along the axes of a group and the first two again: from each
-/// of the first three on, they are along the axes of a ray.
-template <class S>
-struct BlockFromOrigin {
-    typename S::Float corner[3][5];
-
-    BOXWOOD_KERNEL BlockFromOrigin(const TriangleBlock<S::kWidth>& block,
-                                   const FrustumRays<S>& rays) {
-        for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < 5; ++k) {
-                const int axis = k % 3;
-                corner[i][k] =
-                    S::load(block.corner[i][rays.axis[axis]]) - S::broadcast(rays.origin[axis]);
-            }
-        }
-    }
-
-    /// As one ray sees it.
-    BOXWOOD_KERNEL ShearedCorner<S> sheared(int i, const FrustumRays<S>& rays, int packet,
-                                            int ray) const {
-        const typename S::Float* along = &corner[i][rays.first_axis(packet, ray)];
-        return ShearedCorner<S>(along[0], along[1], along[2], S::broadcast(rays.sx[packet][ray]),
-                                S::broadcast(rays.sy[packet][ray]));
-    }
-};
-
 /// The rule is what becomes of triangles. It has
 /// - kIsRounded: whether rays and triangles are those in double, rounded;
 /// - kStepsOfOpen: what deciding a pair costs that isn't sure, in tests of pairs;
-/// - kFewRays: up to so many rays are tested with a block one by one;
 /// - start(packet): the packet has new rays;
 /// - decide_open(packet, code, sure): whether rays of the packet hit that triangle isn't sure.
 ///   Returns whether that brought what is near closer;
-/// - decide_ray(packet, ray, block, reference, from_origin, sure): the same for one ray and all
-///   triangles of a block;
+/// - decide_ray(packet, ray, first_code, block, sure): the same for one ray and all triangles of a
+///   block, the first of which has that code;
 /// - write(sure, answers): the answers of all rays.
 template <class S, class Rule>
 class Frustum {
@@ -112,7 +85,7 @@ public:
     }
 
     /// Finds the hits; gives up, and returns false, when that takes more steps than the limit. A
-    /// step is the test of a pair of a packet and a triangle.
+    /// step is the test of a pair of a packet and a triangle, or of a ray and a block.
     BOXWOOD_KERNEL bool run(std::size_t most_steps) {
         std::size_t steps = 0;
         int size = visit_node(0, 0);
@@ -141,6 +114,8 @@ private:
     using Float = typename S::Float;
 
     static constexpr std::size_t kStepsPerBlock = 8;
+    /// Up to so many rays are tested with a block one by one: as long as that is faster.
+    static constexpr int kFewRays = N;
     /// A child to visit, and whose child it is.
     struct Entry {
         WideReference reference, parent;
@@ -263,7 +238,7 @@ private:
         }
         if (count == 0) return 0;
         const TriangleBlock<N>& block = block_at<N>(tree_, reference, room_);
-        if (count > Rule::kFewRays) return visit_block(reference, block, seeing) + kStepsPerBlock;
+        if (count > kFewRays) return visit_block(reference, block, seeing) + kStepsPerBlock;
         unsigned changed = 0;
         const BlockFromOrigin<S> from_origin(block, rays_);
         for (; seeing != 0; seeing &= seeing - 1) {
@@ -271,7 +246,7 @@ private:
             for (unsigned rest = rays[packet]; rest != 0; rest &= rest - 1) {
                 const int ray = __builtin_ctz(rest);
                 const bool is_closer =
-                    rule_.decide_ray(packet, ray, block, reference, from_origin, sure_);
+                    rule_.decide_ray(packet, ray, code_of<N>(reference, 0), from_origin, sure_);
                 changed |= unsigned{is_closer} << packet;
             }
         }

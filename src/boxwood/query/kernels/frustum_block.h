@@ -19,6 +19,32 @@ struct Sight {
     typename S::Float inside, lo, hi;
 };
 
+/// A block's corners from the origin, along the axes of a group and the first two again: from each
+/// of the first three on, they are along the axes of a ray.
+template <class S>
+struct BlockFromOrigin {
+    typename S::Float corner[3][5];
+
+    BOXWOOD_KERNEL BlockFromOrigin(const TriangleBlock<S::kWidth>& block,
+                                   const FrustumRays<S>& rays) {
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 5; ++k) {
+                const int axis = k % 3;
+                corner[i][k] =
+                    S::load(block.corner[i][rays.axis[axis]]) - S::broadcast(rays.origin[axis]);
+            }
+        }
+    }
+
+    /// As one ray sees it.
+    BOXWOOD_KERNEL ShearedCorner<S> sheared(int i, const FrustumRays<S>& rays, int packet,
+                                            int ray) const {
+        const typename S::Float* along = &corner[i][rays.first_axis(packet, ray)];
+        return ShearedCorner<S>(along[0], along[1], along[2], S::broadcast(rays.sx[packet][ray]),
+                                S::broadcast(rays.sy[packet][ray]));
+    }
+};
+
 template <class S>
 struct BlockInView {
     static constexpr int N = S::kWidth;

@@ -15,7 +15,6 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = true;
     static constexpr int kStepsOfOpen = 8;
-    static constexpr int kFewRays = N;
 
     BOXWOOD_KERNEL FrustumCandidates(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
@@ -41,10 +40,8 @@ public:
         unsigned open = test.may_be_hit(rays_.t_min, farthest) & ~taken;
         if (open == 0) return false;
         const Float first = test.nearest();
-        const Float nearest =
-            S::select(S::less(S::broadcast(0), first),
-                      rays_.inverse_depth(packet, first) * S::broadcast(1 + kDepthRounding),
-                      S::broadcast(__builtin_inff()));
+        const Float depth = S::load(rays_.depth[packet]);
+        const Float nearest = greatest_inverse_depth(first, depth);
         alignas(64) float greatest[N];
         S::store(greatest, nearest);
         for (unsigned rest = open; rest != 0; rest &= rest - 1) {
@@ -54,8 +51,7 @@ public:
         const unsigned hit =
             open & test.is_hit() & S::less_equal(S::broadcast(rays_.least_t), first);
         if (hit == 0) return false;
-        const Float farthest_hit =
-            rays_.inverse_depth(packet, test.no_farther()) * S::broadcast(1 - kDepthRounding);
+        const Float farthest_hit = least_inverse_depth(test.no_farther(), depth);
         const unsigned closer = hit & S::less(near, farthest_hit);
         S::store(sure.near[packet], S::select(closer, farthest_hit, near));
         S::store(sure.surely_near[packet],
@@ -64,26 +60,21 @@ public:
         return closer != 0;
     }
 
-    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, const TriangleBlock<N>&,
-                                   WideReference reference, const BlockFromOrigin<S>& from_origin,
-                                   SureHits<S>& sure) {
-        const auto sheared = [&](int i) { return from_origin.sheared(i, rays_, packet, ray); };
+    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, std::uint32_t first_code,
+                                   const BlockFromOrigin<S>& block, SureHits<S>& sure) {
+        const auto sheared = [&](int i) { return block.sheared(i, rays_, packet, ray); };
         const CandidateTest<S> test(sheared(0), sheared(1), sheared(2),
                                     S::broadcast(rays_.sz[packet][ray]), rays_.error);
         float& near = sure.near[packet][ray];
         const float depth = rays_.depth[packet][ray];
         unsigned open = test.may_be_hit(rays_.t_min, S::broadcast((1 + 0x1p-18f) / (near * depth)));
         // The triangle that is noted as taken is no other.
-        const std::uint32_t first_code = code_of<N>(reference, 0);
         if ((sure.taken[packet] >> ray & 1) && sure.code[packet][ray] - first_code < N)
             open &= ~(1u << (sure.code[packet][ray] - first_code));
         if (open == 0) return false;
         const Float first = test.nearest();
-        const Float inverse_depth = S::broadcast(1) / (first * S::broadcast(depth));
         alignas(64) float nearest[N], farthest_hit[N];
-        S::store(nearest, S::select(S::less(S::broadcast(0), first),
-                                    inverse_depth * S::broadcast(1 + kDepthRounding),
-                                    S::broadcast(__builtin_inff())));
+        S::store(nearest, greatest_inverse_depth(first, S::broadcast(depth)));
         for (unsigned rest = open; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
             noted_[packet][ray].add(first_code + static_cast<std::uint32_t>(lane), nearest[lane],
@@ -91,8 +82,7 @@ public:
         }
         unsigned hit = open & test.is_hit() & S::less_equal(S::broadcast(rays_.least_t), first);
         if (hit == 0) return false;
-        S::store(farthest_hit,
-                 S::broadcast(1 - kDepthRounding) / (test.no_farther() * S::broadcast(depth)));
+        S::store(farthest_hit, least_inverse_depth(test.no_farther(), S::broadcast(depth)));
         bool is_closer = false;
         for (; hit != 0; hit &= hit - 1) {
             const int lane = __builtin_ctz(hit);
@@ -114,6 +104,17 @@ public:
 
 private:
     using Float = typename S::Float;
+
+    /// Of what is at t or beyond, given the depth for each unit of t.
+    BOXWOOD_KERNEL static Float greatest_inverse_depth(Float t, Float depth) {
+        return S::select(S::less(S::broadcast(0), t),
+                         S::broadcast(1) / (t * depth) * S::broadcast(1 + kDepthRounding),
+                         S::broadcast(__builtin_inff()));
+    }
+    /// Of what is at t or before.
+    BOXWOOD_KERNEL static Float least_inverse_depth(Float t, Float depth) {
+        return S::broadcast(1) / (t * depth) * S::broadcast(1 - kDepthRounding);
+    }
 
     /// The places of triangles that a ray may hit.
     struct Noted {

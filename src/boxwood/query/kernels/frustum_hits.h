@@ -16,7 +16,6 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = false;
     static constexpr int kStepsOfOpen = 0;  ///< there are few
-    static constexpr int kFewRays = N;
 
     BOXWOOD_KERNEL FrustumHits(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
@@ -40,10 +39,9 @@ public:
         return true;
     }
 
-    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, const TriangleBlock<N>& block,
-                                   WideReference, const BlockFromOrigin<S>& from_origin,
-                                   SureHits<S>& sure) {
-        const auto sheared = [&](int i) { return from_origin.sheared(i, rays_, packet, ray); };
+    BOXWOOD_KERNEL bool decide_ray(int packet, int ray, std::uint32_t first_code,
+                                   const BlockFromOrigin<S>& block, SureHits<S>& sure) {
+        const auto sheared = [&](int i) { return block.sheared(i, rays_, packet, ray); };
         float& t = t_[packet][ray];
         const BlockHit<S> hit =
             intersect<S>(sheared(0), sheared(1), sheared(2), S::broadcast(rays_.sz[packet][ray]),
@@ -51,10 +49,12 @@ public:
         if (hit.mask == 0) return false;
         const float least = S::least(hit.mask, hit.t);
         const int lane = __builtin_ctz(hit.mask & S::equal(hit.t, S::broadcast(least)));
+        const BlockTriangle triangle =
+            triangle_of_code<N>(tree_, first_code + static_cast<std::uint32_t>(lane));
         // Equal distances go to the lower triangle.
-        if (least == t && triangle_[packet][ray] <= block.triangle[lane]) return false;
+        if (least == t && triangle_[packet][ray] <= triangle.index) return false;
         t = least;
-        triangle_[packet][ray] = block.triangle[lane];
+        triangle_[packet][ray] = triangle.index;
         alignas(64) float v[N], w[N], determinant[N];
         S::store(v, hit.v);
         S::store(w, hit.w);
@@ -62,13 +62,9 @@ public:
         v_[packet][ray] = v[lane];
         w_[packet][ray] = w[lane];
         determinant_[packet][ray] = determinant[lane];
-        for (int k = 0; k < 3; ++k) {
-            const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
-            const auto along = [&](int corner, int axis) {
-                return block.corner[corner][axis][lane] - block.corner[0][axis][lane];
-            };
-            normal_[k][packet][ray] = along(1, i) * along(2, j) - along(1, j) * along(2, i);
-        }
+        float normal[3];
+        normal_of(triangle, normal);
+        for (int k = 0; k < 3; ++k) normal_[k][packet][ray] = normal[k];
         hit_[packet] |= 1u << ray;
         const float nearest = 1 / (t * rays_.depth[packet][ray]);
         const auto raise = [&](float& place, float inverse_depth) {

@@ -42,21 +42,13 @@ struct ClosestHit {
             return;
         }
         const BlockTriangle hit = triangle_at<N>(tree, place, static_cast<unsigned>(lane));
-        float ab[3], ac[3];
-        for (int k = 0; k < 3; ++k) {
-            ab[k] = hit.corner[1][k] - hit.corner[0][k];
-            ac[k] = hit.corner[2][k] - hit.corner[0][k];
-        }
         // Adding 0 turns -0 into 0: which of them it is depends on who was the first of equals.
         result.t = t + 0;
         result.u = v[lane] / determinant[lane] + 0;
         result.v = w[lane] / determinant[lane] + 0;
         result.triangle = triangle;
         result.instance = 0;
-        for (int k = 0; k < 3; ++k) {
-            const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
-            result.normal[k] = ab[i] * ac[j] - ab[j] * ac[i];
-        }
+        normal_of(hit, result.normal);
     }
 };
 

@@ -29,6 +29,19 @@ struct BlockTriangle {
     std::uint32_t index;
 };
 
+/// (b - a) x (c - a).
+BOXWOOD_KERNEL void normal_of(const BlockTriangle& triangle, float (&normal)[3]) {
+    float ab[3], ac[3];
+    for (int k = 0; k < 3; ++k) {
+        ab[k] = triangle.corner[1][k] - triangle.corner[0][k];
+        ac[k] = triangle.corner[2][k] - triangle.corner[0][k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int i = k == 2 ? 0 : k + 1, j = i == 2 ? 0 : i + 1;
+        normal[k] = ab[i] * ac[j] - ab[j] * ac[i];
+    }
+}
+
 template <int N>
 BOXWOOD_KERNEL BlockTriangle triangle_at(const WideTreeView& tree, WideReference reference,
                                          unsigned lane) {
