@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/core/ray_box.h"
+#include "boxwood/core/round_outward.h"
 
 #include <gtest/gtest.h>
 

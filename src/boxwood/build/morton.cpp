@@ -20,6 +20,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/vector_box.h"
 #include "boxwood/tree/parents.h"
 
 namespace boxwood {
@@ -113,13 +114,15 @@ private:
     void make_leaf(Node& node, const Range& range) {
         node.first = range.begin;
         node.count = range.size();
+        VectorBox box;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             // Boxes lie anywhere in memory: ask early for those of leaves to come.
             const std::size_t ahead = std::min<std::size_t>(i + kPrefetch, keys_.size() - 1);
             __builtin_prefetch(&boxes_[primitive_of(keys_[ahead])]);
             tree_.order[i] = primitive_of(keys_[i]);
-            node.box.extend(boxes_[tree_.order[i]]);
+            box.extend(VectorBox(boxes_[tree_.order[i]]));
         }
+        node.box = box.box();
     }
 
     /// The first key of the right side.

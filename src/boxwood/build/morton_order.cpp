@@ -4,13 +4,12 @@
 #include "boxwood/build/morton_order.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "boxwood/build/unit_scale.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/radix_sort.h"
+#include "boxwood/core/vector_box.h"
 
 namespace boxwood {
 
@@ -21,14 +20,13 @@ constexpr std::size_t kPiece = 8192;
 constexpr int kAxisBits = kMortonBits / 3;
 constexpr int kCells = 1 << kAxisBits;  ///< along each axis
 
-/// Three bits of the code for each bit of a coordinate: 0b101 becomes 0b001000001.
-constexpr std::array<std::uint32_t, kCells> kSpread = [] {
-    std::array<std::uint32_t, kCells> table = {};
-    for (std::uint32_t cell = 0; cell < kCells; ++cell) {
-        for (int bit = 0; bit < kAxisBits; ++bit) table[cell] |= (cell >> bit & 1) << 3 * bit;
-    }
-    return table;
-}();
+/// Three bits for each of the ten bits of a coordinate: 0b101 becomes 0b001000001.
+Int4 spread(Int4 cell) {
+    cell = (cell | cell << 16) & 0x030000ff;
+    cell = (cell | cell << 8) & 0x0300f00f;
+    cell = (cell | cell << 4) & 0x030c30c3;
+    return (cell | cell << 2) & 0x09249249;
+}
 
 /// Calls visit(key) for each of the given ones, whose boxes are asked for early: they may lie
 /// anywhere, and where they follow one another, machines that look ahead stop where a page ends.
@@ -46,12 +44,12 @@ Box3f bounds_of_centroids(std::span<const Box3f> boxes, std::span<const MortonKe
     return parallel_reduce(
         keys.size(), kPiece, Box3f{},
         [&](std::size_t begin, std::size_t end) {
-            Box3f bounds;
+            VectorBox bounds;
             for_each_key(boxes, keys.subspan(begin, end - begin), [&](MortonKey key) {
-                const Vec3f centroid = boxes[primitive_of(key)].centroid();
-                if (centroid.allFinite()) bounds.extend(centroid);
+                const Float4 centroid = VectorBox(boxes[primitive_of(key)]).centroid();
+                if (is_finite(centroid)) bounds.extend({centroid, centroid});
             });
-            return bounds;
+            return bounds.box();
         },
         [](const Box3f& a, const Box3f& b) { return merged(a, b); });
 }
@@ -60,25 +58,24 @@ Box3f bounds_of_centroids(std::span<const Box3f> boxes, std::span<const MortonKe
 class MortonCube {
 public:
     explicit MortonCube(const Box3f& centroid_bounds)
-        : to_unit_(unit_scale(centroid_bounds)), lo_(to_unit_ * centroid_bounds.lo) {
-        const float extent = (to_unit_ * centroid_bounds.hi - lo_).maxCoeff();
-        if (extent > 0) cells_per_unit_ = kCells / extent;
+        : to_unit_(unit_scale(centroid_bounds)), lo_(to_unit_ * VectorBox(centroid_bounds).lo) {
+        const Vec3f extent = to_unit_ * centroid_bounds.hi - to_unit_ * centroid_bounds.lo;
+        if (extent.maxCoeff() > 0) cells_per_unit_ = kCells / extent.maxCoeff();
     }
 
     /// The first cell's when the centroid is NaN, as those of boxes are that nothing hits.
-    std::uint32_t code(const Vec3f& centroid) const {
-        const Vec3f place = cells_per_unit_ * (to_unit_ * centroid - lo_);
-        if (!std::isfinite(place.sum())) return 0;
-        return spread(place.x()) << 2 | spread(place.y()) << 1 | spread(place.z());
+    std::uint32_t code(const VectorBox& box) const {
+        const Float4 place = cells_per_unit_ * (to_unit_ * box.centroid() - lo_);
+        if (!is_finite(place)) return 0;
+        constexpr float kLast = kCells - 1;
+        const Int4 bits =
+            spread(__builtin_convertvector(place < kLast ? place : Float4{} + kLast, Int4));
+        return static_cast<std::uint32_t>(bits[0] << 2 | bits[1] << 1 | bits[3]);
     }
 
 private:
-    static std::uint32_t spread(float place) {
-        return kSpread[static_cast<std::size_t>(std::min(static_cast<int>(place), kCells - 1))];
-    }
-
     float to_unit_;
-    Vec3f lo_;
+    Float4 lo_;
     float cells_per_unit_ = 0;
 };
 
@@ -95,12 +92,13 @@ void sort_by_morton_code(std::span<const Box3f> boxes, std::span<MortonKey> keys
                          std::span<MortonKey> scratch) {
     const MortonCube cube(bounds_of_centroids(boxes, keys));
     parallel_for(keys.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-        for_each_key(boxes, keys.subspan(begin, end - begin), [&](MortonKey& key) {
+        auto place = scratch.begin() + static_cast<std::ptrdiff_t>(begin);
+        for_each_key(boxes, keys.subspan(begin, end - begin), [&](MortonKey key) {
             const std::uint32_t primitive = primitive_of(key);
-            key = morton_key(cube.code(boxes[primitive].centroid()), primitive);
+            *place++ = morton_key(cube.code(VectorBox(boxes[primitive])), primitive);
         });
     });
-    radix_sort(keys, scratch, 32, kMortonBits);
+    radix_sort(scratch.first(keys.size()), keys, 32, kMortonBits);
 }
 
 void sort_along_curve(std::span<const Box3f> boxes, std::span<MortonKey> keys,

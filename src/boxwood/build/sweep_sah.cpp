@@ -72,15 +72,15 @@ public:
 
 private:
     void sort(int axis) {
-        std::vector<std::uint64_t> keys(boxes_.size()), scratch(boxes_.size());
+        std::vector<std::uint64_t> keys(boxes_.size()), sorted(boxes_.size());
         parallel_for(keys.size(), kPiece, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 keys[i] = std::uint64_t{ordered_bits(boxes_[i].centroid()[axis])} << 32 | i;
         });
-        radix_sort(keys, scratch, 32, 32);
+        radix_sort(keys, sorted, 32, 32);
         parallel_for(keys.size(), kPiece, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                orders_[axis][i] = static_cast<std::uint32_t>(keys[i]);
+                orders_[axis][i] = static_cast<std::uint32_t>(sorted[i]);
         });
     }
 

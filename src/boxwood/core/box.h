@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <limits>
 
-#include "boxwood/core/float_bits.h"
 #include "boxwood/core/vec.h"
 
 namespace boxwood {
@@ -70,36 +67,6 @@ using Box3d = Box<double>;
 /// The largest size of a coordinate. Precondition: it isn't empty.
 inline double largest_coordinate(const Box3f& box) {
     return box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).maxCoeff();
-}
-
-/// The largest float that isn't above x, and the smallest that isn't below. Rounding to nearest
-/// keeps the sign, that of zero included, so one step of the bits from there is one towards or away
-/// from zero. No branches: nobody could predict where rounding goes.
-inline float rounded_down(double x) {
-    const auto nearest = static_cast<float>(x);
-    const auto bits = static_cast<std::int32_t>(bits_of(nearest));
-    const std::int32_t one_up = bits >> 31 | 1;
-    return float_of(static_cast<std::uint32_t>(bits - (one_up & -std::int32_t{nearest > x})));
-}
-inline float rounded_up(double x) {
-    const auto nearest = static_cast<float>(x);
-    const auto bits = static_cast<std::int32_t>(bits_of(nearest));
-    const std::int32_t one_up = bits >> 31 | 1;
-    return float_of(static_cast<std::uint32_t>(bits + (one_up & -std::int32_t{nearest < x})));
-}
-
-/// The smallest float box that contains the given one. Empty, so that no query ever visits it, when
-/// a coordinate is NaN, infinite or beyond the range of float.
-inline Box3f rounded_outward(const Box3d& box) {
-    Box3f result;
-    bool is_finite = true;
-    for (int k = 0; k < 3; ++k) {
-        result.lo[k] = rounded_down(box.lo[k]);
-        result.hi[k] = rounded_up(box.hi[k]);
-        is_finite &= std::isfinite(result.lo[k]);
-        is_finite &= std::isfinite(result.hi[k]);
-    }
-    return is_finite ? result : Box3f();
 }
 
 }  // namespace boxwood

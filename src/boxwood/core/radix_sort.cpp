@@ -98,25 +98,24 @@ private:
 
 }  // namespace
 
-void radix_sort(std::span<std::uint64_t> keys, std::span<std::uint64_t> scratch, int first_bit,
+void radix_sort(std::span<std::uint64_t> keys, std::span<std::uint64_t> sorted, int first_bit,
                 int bits) {
     const auto mask_of = [](int width) { return (std::uint64_t{1} << width) - 1; };
+    std::span<std::uint64_t> from = keys, to = sorted;
     if (keys.size() < kFewKeys) {
         sort_by_insertion(keys, mask_of(bits) << first_bit);
-        return;
+    } else {
+        for (int done = 0; done < bits; done += kDigitBits) {
+            Pass pass(keys.size(), first_bit + done, mask_of(std::min(kDigitBits, bits - done)));
+            if (!pass.count(from)) continue;
+            pass.move(from, to);
+            std::swap(from, to);
+        }
     }
-    std::span<std::uint64_t> from = keys, to = scratch.first(keys.size());
-    for (int done = 0; done < bits; done += kDigitBits) {
-        Pass pass(keys.size(), first_bit + done, mask_of(std::min(kDigitBits, bits - done)));
-        if (!pass.count(from)) continue;
-        pass.move(from, to);
-        std::swap(from, to);
-    }
-    if (from.data() != keys.data()) {
-        parallel_for(keys.size(), std::size_t{1} << 15, [&](std::size_t begin, std::size_t end) {
-            std::copy(from.begin() + begin, from.begin() + end, keys.begin() + begin);
-        });
-    }
+    if (from.data() == sorted.data()) return;
+    parallel_for(keys.size(), std::size_t{1} << 15, [&](std::size_t begin, std::size_t end) {
+        std::copy(from.begin() + begin, from.begin() + end, sorted.begin() + begin);
+    });
 }
 
 }  // namespace boxwood

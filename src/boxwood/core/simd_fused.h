@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "boxwood/core/double2.h"
 #include "boxwood/core/simd.h"
 
 namespace boxwood {
-
-using Double2 = double __attribute__((vector_size(16)));
 
 /// a b + c for numbers that were floats, so that the product is exact, rounded to odd in double:
 /// where digits are lost, the last one kept is odd, so that rounding on to float sees on which side

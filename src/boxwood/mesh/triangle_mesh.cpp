@@ -27,13 +27,9 @@ Vec3d scaled(const Vec3d& edge) {
 
 template <class Visit>
 void for_each_box(MeshView mesh, const Visit& visit) {
-    const std::size_t count = mesh.faces.size();
-    parallel_for(count, kPiece, [&](std::size_t begin, std::size_t end) {
-        // Vertices lie anywhere in memory: ask early for those of triangles to come.
-        constexpr std::size_t kAhead = 24;
+    parallel_for(mesh.faces.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t ahead = std::min(i + kAhead, count - 1);
-            for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.corner(ahead, k));
+            fetch_vertices_ahead(mesh, i);
             visit(i, triangle_box(mesh, i));
         }
     });

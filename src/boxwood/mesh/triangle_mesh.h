@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +10,7 @@
 
 #include "boxwood/core/arena.h"
 #include "boxwood/core/box.h"
+#include "boxwood/core/round_outward.h"
 #include "boxwood/core/vec.h"
 
 namespace boxwood {
@@ -55,13 +57,14 @@ bool has_zero_area(MeshView mesh, std::size_t face);
 
 /// The box of a triangle, rounded outward to float: empty when a corner is not finite or beyond the
 /// range of float, so that no query visits the triangle.
-inline Box3f triangle_box(MeshView mesh, std::size_t face) {
-    const Vec3d& a = mesh.corner(face, 0);
-    const Vec3d& b = mesh.corner(face, 1);
-    const Vec3d& c = mesh.corner(face, 2);
+inline VectorBox triangle_vector_box(MeshView mesh, std::size_t face) {
+    const Pairs a(mesh.corner(face, 0)), b(mesh.corner(face, 1)), c(mesh.corner(face, 2));
     // min and max may hide a NaN. A sum keeps it, and overflows only beyond the range of float.
-    if (!(0 * (a + b + c).array() == 0).all()) return {};
-    return rounded_outward({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
+    const Pairs sum = {a.xy + b.xy + c.xy, a.yz + b.yz + c.yz};
+    return rounded_outward(a.min(b).min(c), a.max(b).max(c), sum);
+}
+inline Box3f triangle_box(MeshView mesh, std::size_t face) {
+    return triangle_vector_box(mesh, face).box();
 }
 
 /// The triangle_box() of each triangle. O(n), all cores.
@@ -70,6 +73,13 @@ std::vector<Box3f> triangle_boxes(MeshView mesh);
 /// Likewise, in memory of that size that nothing else is in: for speed, as nobody touches it
 /// before.
 std::span<const Box3f> triangle_boxes(MeshView mesh, const Arena& memory);
+
+/// Asks for the vertices of a triangle some places ahead, as they lie anywhere in memory.
+inline void fetch_vertices_ahead(MeshView mesh, std::size_t face) {
+    constexpr std::size_t kAhead = 24;
+    const std::size_t ahead = std::min(face + kAhead, mesh.faces.size() - 1);
+    for (int k = 0; k < 3; ++k) __builtin_prefetch(&mesh.corner(ahead, k));
+}
 
 /// The mean of each triangle's corners. O(n), all cores.
 std::vector<Vec3d> triangle_centroids(MeshView mesh);

@@ -11,6 +11,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/round_outward.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_point.h"

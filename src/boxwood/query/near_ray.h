@@ -12,8 +12,10 @@
 #include <limits>
 
 #include "boxwood/core/box.h"
+#include "boxwood/core/double2.h"
 #include "boxwood/core/float_bits.h"
 #include "boxwood/core/ray.h"
+#include "boxwood/core/round_outward.h"
 #include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/wide_tree.h"
@@ -60,8 +62,6 @@ public:
     }
 
 private:
-    using Float4 = float __attribute__((vector_size(16)));
-
     /// Brings the origin near where it is far, and returns what it may be off by then. Not for most
     /// rays, so out of their way.
     __attribute__((noinline)) double move(const WideTree& tree, const Ray& ray,

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "boxwood/core/error.h"
+#include "boxwood/core/round_outward.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/mesh_point.h"
 #include "boxwood/query/overlap_batches.h"

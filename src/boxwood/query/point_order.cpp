@@ -47,7 +47,7 @@ std::vector<std::uint32_t> order_along_curve(std::span<const Vec3d> points) {
         return place > 0 ? static_cast<std::uint32_t>(std::min(place, kCells - 1)) : 0;
     };
     // The code above, the point below.
-    std::vector<std::uint64_t> keys(points.size()), scratch(points.size());
+    std::vector<std::uint64_t> keys(points.size()), sorted(points.size());
     parallel_for(points.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t code = spread(cell(points[i], 0)) |
@@ -56,9 +56,9 @@ std::vector<std::uint32_t> order_along_curve(std::span<const Vec3d> points) {
             keys[i] = std::uint64_t{code} << 32 | i;
         }
     });
-    radix_sort(keys, scratch, 32, 30);
+    radix_sort(keys, sorted, 32, 30);
     std::vector<std::uint32_t> order(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(keys[i]);
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(sorted[i]);
     return order;
 }
 

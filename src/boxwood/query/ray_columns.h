@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "boxwood/core/double2.h"
 #include "boxwood/core/simd.h"
 #include "boxwood/query/rayf.h"
 
@@ -30,7 +31,6 @@ struct RayColumns {
     BOXWOOD_KERNEL Rayf operator[](std::size_t i) const {
         const float *o = origin[i], *d = direction[i];
         // Stored as the vectors that they are read as: else readers wait until memory has them.
-        using Float4 = float __attribute__((vector_size(16)));
         const Float4 origin_and_t_min = {o[0], o[1], o[2], *t_min[i]},
                      direction_and_t_max = {d[0], d[1], d[2], *t_max[i]};
         Rayf ray = {};

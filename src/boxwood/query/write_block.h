@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include "boxwood/core/double2.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/wide_node.h"
 
 namespace boxwood {
+
+constexpr std::uint32_t kEmptySlot = std::numeric_limits<std::uint32_t>::max();
 
 /// Triangles that become a block.
 template <int N>
@@ -22,18 +25,19 @@ struct BlockTriangles {
 
     /// Puts them in order, each once.
     void sort() {
-        const auto end = index.begin() + count;
-        if (std::is_sorted(index.begin(), end, std::less_equal<>())) return;
-        // How many are lower is the place: no branch that depends on the order.
-        std::array<std::uint32_t, N> sorted;
+        // How many are lower is the place: no branch that depends on the order, and compilers
+        // compare one with all others in vectors.
+        std::array<std::int32_t, N> triangle, place = {};
+        triangle.fill(std::numeric_limits<std::int32_t>::max());
+        for (int i = 0; i < count; ++i) triangle[i] = static_cast<std::int32_t>(index[i]);
         for (int i = 0; i < count; ++i) {
-            int place = 0;
-            for (int j = 0; j < count; ++j) place += index[j] < index[i];
-            for (int j = 0; j < i; ++j) place += index[j] == index[i];
-            sorted[place] = index[i];
+            for (int j = 0; j < N; ++j) place[j] += triangle[i] < triangle[j];
         }
-        index = sorted;
-        count = static_cast<int>(std::unique(index.begin(), index.begin() + count) - index.begin());
+        // Those that are there twice leave places empty.
+        index.fill(kEmptySlot);
+        for (int i = 0; i < count; ++i) index[place[i]] = static_cast<std::uint32_t>(triangle[i]);
+        const auto end = std::remove(index.begin(), index.begin() + count, kEmptySlot);
+        count = static_cast<int>(end - index.begin());
     }
 
     // Meshes lie in memory as they like, so what a block needs is asked for early: first the faces,
@@ -49,26 +53,65 @@ struct BlockTriangles {
     }
 };
 
-constexpr std::uint32_t kEmptySlot = std::numeric_limits<std::uint32_t>::max();
+/// The coordinates of four points, multiplied by scale and rounded to float: x, y and z.
+inline std::array<Float4, 3> transposed(const std::array<const Vec3d*, 4>& points, double scale) {
+    using Float2 = float __attribute__((vector_size(8)));
+    const auto narrowed = [&](const Double2& x) {
+        return __builtin_convertvector(scale * x, Float2);
+    };
+    const auto xy = [&](int i) {
+        Double2 pair;
+        std::memcpy(&pair, points[i]->data(), sizeof pair);
+        return narrowed(pair);
+    };
+    const auto z = [&](int i) { return narrowed(Double2{points[i]->z(), points[i + 1]->z()}); };
+    const Float4 first = __builtin_shufflevector(xy(0), xy(1), 0, 2, 1, 3);
+    const Float4 second = __builtin_shufflevector(xy(2), xy(3), 0, 2, 1, 3);
+    return {__builtin_shufflevector(first, second, 0, 1, 4, 5),
+            __builtin_shufflevector(first, second, 2, 3, 6, 7),
+            __builtin_shufflevector(z(0), z(2), 0, 1, 2, 3)};
+}
 
 /// Writes the triangles, multiplied by scale. Those with a corner that is not finite or beyond the
-/// range of float get NaN corners, which nothing hits; false when there are any.
+/// range of float get NaN corners, which nothing hits; false when there are any. Precondition:
+/// scale is a power of two.
 template <int N>
 bool write_block(const MeshView& mesh, float scale, const BlockTriangles<N>& triangles,
                  TriangleBlock<N>& block) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-    if (triangles.count < N) std::fill_n(&block.corner[0][0][0], 9 * N, kNaN);
-    std::fill_n(block.triangle, N, kEmptySlot);
-    bool all_in_range = true;
-    for (int i = 0; i < triangles.count; ++i) {
-        const std::uint32_t triangle = triangles.index[i];
-        const bool is_in_range = is_in_float_range(mesh, triangle);
-        all_in_range &= is_in_range;
-        block.triangle[i] = triangle;
+    // What is less as a float multiplied by scale is within the range of float without it.
+    const float limit = FLT_MAX * std::min(scale, 1.0f);
+    for (int i = 0; i < N; ++i)
+        block.triangle[i] = i < triangles.count ? triangles.index[i] : kEmptySlot;
+    Int4 is_in_range = Int4{} - 1;
+    for (int i = 0; i < N; i += 4) {
+        // Where there are fewer than four, the last one stands in for those that are missing.
+        const Int4 is_there = Int4{0, 1, 2, 3} + i < triangles.count;
+        std::array<const Vec3i*, 4> faces;
+        for (int j = 0; j < 4; ++j)
+            faces[j] = &mesh.faces[triangles.index[std::min(i + j, triangles.count - 1)]];
         for (int corner = 0; corner < 3; ++corner) {
-            const Vec3d& p = mesh.corner(triangle, corner);
+            std::array<Float4, 3> rows = {Float4{} + kNaN, Float4{} + kNaN, Float4{} + kNaN};
+            if (i < triangles.count) {
+                std::array<const Vec3d*, 4> points;
+                for (int j = 0; j < 4; ++j) points[j] = &mesh.vertices[(*faces[j])[corner]];
+                rows = transposed(points, scale);
+                for (Float4& row : rows) {
+                    is_in_range &= (row < limit) & (row > -limit);
+                    row = is_there ? row : Float4{} + kNaN;
+                }
+            }
             for (int k = 0; k < 3; ++k)
-                block.corner[corner][k][i] = is_in_range ? static_cast<float>(scale * p[k]) : kNaN;
+                std::memcpy(&block.corner[corner][k][i], &rows[k], sizeof rows[k]);
+        }
+    }
+    if (all_of(is_in_range)) return true;
+    bool all_in_range = true;
+    for (int triangle = 0; triangle < triangles.count; ++triangle) {
+        if (is_in_float_range(mesh, triangles.index[triangle])) continue;
+        all_in_range = false;
+        for (auto& corner : block.corner) {
+            for (float* row : corner) row[triangle] = kNaN;
         }
     }
     return all_in_range;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include "boxwood/core/box.h"
+#include "boxwood/core/float_bits.h"
 #include "boxwood/query/wide_node.h"
 
 namespace boxwood {
@@ -15,38 +15,45 @@ namespace boxwood {
 /// octant, by the centres of the boxes. Empty boxes say that there is no child, or none to hit.
 template <int N>
 void write_boxes(const std::array<Box3f, N>& boxes, float scale, WideNode<N>& node) {
-    std::array<Vec3f, N> center;
-    std::array<bool, N> is_there;
+    using Slots = std::array<std::int32_t, N>;
+    Slots is_there;
+    std::array<float, N> center[3];
     int count = 0;
     for (int i = 0; i < N; ++i) {
         for (int k = 0; k < 3; ++k) {
             node.slabs[k].lo[i] = scale * boxes[i].lo[k];
             node.slabs[k].hi[i] = scale * boxes[i].hi[k];
         }
-        // A quarter of it, so that the sums below can't be infinite.
-        center[i] = 0.125f * boxes[i].lo + 0.125f * boxes[i].hi;
         is_there[i] = !boxes[i].is_empty();
         count += is_there[i];
     }
+    for (int k = 0; k < 3; ++k) {
+        // A quarter of it, so that the sums below can't be infinite.
+        for (int i = 0; i < N; ++i)
+            center[k][i] = 0.125f * node.slabs[k].lo[i] + 0.125f * node.slabs[k].hi[i];
+    }
     std::fill(node.order, node.order + N, 0);
     // Rays of the opposite octant meet them the other way round.
-    for (std::uint32_t octant = 0; octant < 4; ++octant) {
-        alignas(4 * N) float distance[N];
-        std::fill_n(distance, N, std::numeric_limits<float>::infinity());
+    for (int octant = 0; octant < 4; ++octant) {
+        const float x = octant & 1 ? -1.0f : 1.0f, y = octant & 2 ? -1.0f : 1.0f;
+        // Numbers in the order of the distances, and no two the same: all vectors and no branch.
+        Slots distance, rank = {}, near_first, far_first;
         for (int i = 0; i < N; ++i) {
-            if (!is_there[i]) continue;
-            distance[i] = (octant & 1 ? -center[i][0] : center[i][0]) +
-                          (octant & 2 ? -center[i][1] : center[i][1]) + center[i][2];
+            const auto bits = static_cast<std::int32_t>(
+                bits_of(x * center[0][i] + y * center[1][i] + center[2][i]));
+            const std::int32_t in_order = bits ^ (bits >> 31 & 0x7fffffff);
+            distance[i] = ((is_there[i] != 0 ? in_order : 0x7fffffff) & -16) | i;
+        }
+        for (int j = 0; j < N; ++j) {
+            for (int i = 0; i < N; ++i) rank[i] += distance[j] < distance[i];
         }
         for (int i = 0; i < N; ++i) {
-            // How many are nearer; of equally near ones, how many come before it.
-            int rank = 0;
-            for (int j = 0; j < N; ++j) rank += distance[j] < distance[i];
-            for (int j = 0; j < i; ++j) rank += distance[j] == distance[i];
-            const int from_far = is_there[i] ? count - 1 - rank : rank;
-            node.order[from_far] |= static_cast<std::uint32_t>(i) << (4 * octant);
-            node.order[rank] |= static_cast<std::uint32_t>(i) << (4 * (7 - octant));
+            near_first[rank[i]] = i;
+            far_first[is_there[i] != 0 ? count - 1 - rank[i] : rank[i]] = i;
         }
+        for (int i = 0; i < N; ++i)
+            node.order[i] |= static_cast<std::uint32_t>(far_first[i]) << (4 * octant) |
+                             static_cast<std::uint32_t>(near_first[i]) << (4 * (7 - octant));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "boxwood/core/ray_sphere.h"
+#include "boxwood/core/round_outward.h"
 
 namespace boxwood {
 

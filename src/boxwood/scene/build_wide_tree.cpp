@@ -6,8 +6,8 @@
 #include "boxwood/build/block_sah.h"
 #include "boxwood/build/morton.h"
 #include "boxwood/build/reinsertion.h"
+#include "boxwood/build/runs.h"
 #include "boxwood/build/spatial_split.h"
-#include "boxwood/core/arena.h"
 
 namespace boxwood {
 
@@ -24,12 +24,20 @@ BuiltTree collapsed(MeshView mesh, Tree tree, const WideBuildOptions& options) {
 }
 
 Tree fast(MeshView mesh, std::uint32_t width) {
-    const Arena memory(mesh.faces.size() * sizeof(Box3f));
-    return build_morton(triangle_boxes(mesh, memory), {.largest_leaf = width});
+    const std::uint32_t length = run_length(mesh, width);
+    const TriangleRuns runs(mesh, length);
+    return runs.over_triangles(build_morton(runs.boxes(), {.largest_leaf = width / length}));
 }
 
 Tree balanced(MeshView mesh, std::uint32_t width) {
-    Tree tree = build_block_sah(mesh, {.block = width});
+    const std::uint32_t length = run_length(mesh, width);
+    Tree tree;
+    if (length > 1) {
+        const TriangleRuns runs(mesh, length);
+        tree = runs.over_triangles(build_block_sah(runs.boxes(), {.block = width / length}));
+    } else {
+        tree = build_block_sah(mesh, {.block = width});
+    }
     optimize_by_reinsertion(tree);
     return tree;
 }

@@ -9,6 +9,7 @@
 
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/round_outward.h"
 #include "boxwood/tree/refit.h"
 
 namespace boxwood {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxwood/core/arena.h"
+#include "boxwood/mesh/triangle_mesh.h"
+#include "boxwood/tree/tree.h"
+
+namespace boxwood {
+
+/// How many triangles that follow one another in the mesh a builder may take for one primitive: 4
+/// or 2, at most the longest, where nearly all lie close together, else 1. Walls and swept
+/// surfaces, which are written quad by quad, are built in half the time so. Looks at places that
+/// are the same each time. O(1).
+std::uint32_t run_length(MeshView mesh, std::uint32_t longest);
+
+/// Runs of up to so many triangles that follow one another: those that lie far apart are cut into
+/// shorter ones, down to single triangles. The same for any number of threads. O(n), all cores.
+class TriangleRuns {
+public:
+    /// Precondition: length is 1, 2 or 4.
+    TriangleRuns(MeshView mesh, std::uint32_t length);
+
+    /// One for each run: of those of its triangles that have boxes.
+    std::span<const Box3f> boxes() const { return boxes_; }
+
+    /// A tree over the runs as one over the triangles. O(n).
+    Tree over_triangles(Tree tree) const;
+
+private:
+    struct Run {
+        std::uint32_t first, count;
+    };
+    struct Cutter;
+
+    template <std::uint32_t kLength>
+    void make(MeshView mesh);
+
+    std::size_t triangles_;
+    Arena memory_;
+    std::span<const Box3f> boxes_;
+    std::vector<Run> runs_;  ///< none when each triangle is one
+};
+
+}  // namespace boxwood

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "boxwood/build/runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boxwood/build/block_sah.h"
+#include "boxwood/build/morton.h"
+#include "boxwood/core/parallel.h"
+#include "boxwood/core/random.h"
+#include "boxwood/mesh/generate.h"
+#include "boxwood/tree/statistics.h"
+#include "boxwood/tree/validate.h"
+#include "laws/hits.h"
+#include "laws/mesh_families.h"
+
+namespace boxwood {
+namespace {
+
+/// The same triangles in no order.
+TriangleMesh shuffled(TriangleMesh mesh) {
+    for (std::size_t i = mesh.faces.size(); i > 1; --i)
+        std::swap(mesh.faces[i - 1], mesh.faces[mix_bits(i) % i]);
+    return mesh;
+}
+
+Tree built_over_runs(const TriangleMesh& mesh, std::uint32_t length, std::uint32_t leaf) {
+    const TriangleRuns runs(mesh, length);
+    return runs.over_triangles(build_block_sah(runs.boxes(), {.block = leaf / length}));
+}
+
+TEST(Runs, trees_over_them_are_valid_trees_over_the_triangles) {
+    for (const MeshFamily& family : mesh_families()) {
+        const TriangleMesh mesh = family.make();
+        const std::vector<Box3f> boxes = triangle_boxes(mesh);
+        for (const std::uint32_t length : {1, 2, 4}) {
+            SCOPED_TRACE(family.name + ", " + std::to_string(length));
+            const Tree tree = built_over_runs(mesh, length, 16);
+            ASSERT_EQ(find_fault(tree, boxes), std::nullopt);
+            EXPECT_LE(statistics(tree).largest_leaf, 16u);
+            const TriangleRuns runs(mesh, length);
+            const Tree morton = runs.over_triangles(build_morton(runs.boxes()));
+            ASSERT_EQ(find_fault(morton, boxes), std::nullopt);
+        }
+    }
+}
+
+TEST(Runs, meshes_need_not_consist_of_whole_runs) {
+    const TriangleMesh grid = flat_grid(3);
+    for (std::size_t count = 0; count <= grid.faces.size(); ++count) {
+        TriangleMesh mesh = grid;
+        mesh.faces.resize(count);
+        for (const std::uint32_t length : {2, 4}) {
+            const Tree tree = built_over_runs(mesh, length, 8);
+            ASSERT_EQ(find_fault(tree, triangle_boxes(mesh)), std::nullopt) << count;
+        }
+    }
+}
+
+TEST(Runs, those_that_nothing_hits_are_in_the_tree_and_in_no_box) {
+    TriangleMesh mesh = flat_grid(32);
+    mesh.vertices.push_back(Vec3d::Constant(std::nan("")));
+    mesh.vertices.push_back(Vec3d::Constant(1e300));
+    const int nan = static_cast<int>(mesh.vertices.size()) - 2;
+    for (std::size_t i = 0; i < mesh.faces.size(); i += 3)
+        mesh.faces[i][static_cast<int>(i % 3)] = nan + static_cast<int>(i % 2);
+    for (const std::uint32_t length : {2, 4}) {
+        const Tree tree = built_over_runs(mesh, length, 16);
+        ASSERT_EQ(find_fault(tree, triangle_boxes(mesh)), std::nullopt);
+    }
+}
+
+TEST(Runs, quads_side_by_side_are_runs_of_four_and_a_mesh_in_no_order_has_none) {
+    const TriangleMesh grid = flat_grid(64);
+    EXPECT_EQ(run_length(grid, 16), 4u);
+    EXPECT_EQ(run_length(grid, 3), 2u);
+    EXPECT_EQ(run_length(grid, 1), 1u);
+    EXPECT_EQ(run_length(shuffled(grid), 16), 1u);
+    EXPECT_EQ(run_length(generate_soup(2000), 16), 1u);
+    EXPECT_EQ(run_length({}, 16), 1u);
+    // However small or large the mesh is.
+    for (const double scale : {1e-40, 1e-25, 1e25, 1e36}) {
+        EXPECT_EQ(run_length(moved(grid, scale, Vec3d::Zero()), 16), 4u) << scale;
+        EXPECT_EQ(run_length(moved(shuffled(grid), scale, Vec3d::Zero()), 16), 1u) << scale;
+    }
+}
+
+TEST(Runs, pairs_are_taken_where_every_other_two_lie_apart) {
+    // The quads of a row in two halves, which take turns.
+    const TriangleMesh grid = flat_grid(64);
+    TriangleMesh mesh = grid;
+    const std::size_t half = grid.faces.size() / 4;
+    for (std::size_t quad = 0; quad < half; ++quad) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            mesh.faces[4 * quad + i] = grid.faces[2 * quad + i];
+            mesh.faces[4 * quad + 2 + i] = grid.faces[2 * (half + quad) + i];
+        }
+    }
+    EXPECT_EQ(run_length(mesh, 16), 2u);
+}
+
+void expect_boxes_no_larger_than_those_inside(const TriangleMesh& mesh) {
+    double of_each = 0, of_runs = 0;
+    for (const Box3f& box : triangle_boxes(mesh)) of_each += box.surface_area();
+    const TriangleRuns runs(mesh, 4);
+    for (const Box3f& box : runs.boxes()) of_runs += box.surface_area();
+    EXPECT_LE(of_runs, of_each * (1 + 1e-6));
+}
+
+TEST(Runs, no_box_is_larger_than_those_inside) {
+    for (const MeshFamily& family : mesh_families()) {
+        SCOPED_TRACE(family.name);
+        expect_boxes_no_larger_than_those_inside(family.make());
+    }
+}
+
+TEST(Runs, what_nothing_hits_glues_nothing_together) {
+    TriangleMesh mesh = generate_soup(2000);
+    mesh.vertices.push_back(Vec3d::Constant(std::nan("")));
+    for (std::size_t i = 0; i < mesh.faces.size(); i += 4)
+        mesh.faces[i + mix_bits(i) % 4][0] = static_cast<int>(mesh.vertices.size()) - 1;
+    expect_boxes_no_larger_than_those_inside(mesh);
+}
+
+TEST(Runs, are_the_same_for_any_number_of_threads) {
+    const TriangleMesh mesh = generate_interior(100'000);
+    Tree first;
+    for (const std::size_t threads : {1, 2, 3}) {
+        const ThreadLimit limit(threads);
+        Tree tree = built_over_runs(mesh, 4, 16);
+        if (threads == 1)
+            first = std::move(tree);
+        else
+            EXPECT_TRUE(are_identical(first, tree)) << threads;
+    }
+}
+
+}  // namespace
+}  // namespace boxwood
