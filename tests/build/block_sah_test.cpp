@@ -58,10 +58,26 @@ TEST(BlockSah, mesh_and_its_boxes_give_the_same_tree) {
     }
 }
 
+TEST(BlockSah, cuts_by_cost_end_at_the_depth_asked_for) {
+    for (const MeshFamily& family : mesh_families()) {
+        const std::vector<Box3f> boxes = triangle_boxes(family.make());
+        for (const int deepest : {-1, 0, 3}) {
+            const Tree tree = build_block_sah(boxes, {.block = 1, .deepest_sah_split = deepest});
+            ASSERT_EQ(find_fault(tree, boxes), std::nullopt) << family.name;
+            const double count = static_cast<double>(std::max<std::size_t>(boxes.size(), 1));
+            // The hidden ones are a level of their own.
+            EXPECT_LE(static_cast<double>(statistics(tree).depth),
+                      std::max(deepest, 1) + std::ceil(std::log2(count)))
+                << family.name;
+        }
+    }
+}
+
 TEST(BlockSah, options_out_of_range_are_refused) {
     const std::vector<Box3f> boxes(3, {Vec3f::Zero(), Vec3f::Ones()});
     EXPECT_THROW(build_block_sah(boxes, {.block = 0}), InvalidInput);
     EXPECT_THROW(build_block_sah(boxes, {.block = 257}), InvalidInput);
+    EXPECT_THROW(build_block_sah(boxes, {.deepest_sah_split = 41}), InvalidInput);
     EXPECT_THROW(build_block_sah(TriangleMesh{}, {.block = 0}), InvalidInput);
 }
 

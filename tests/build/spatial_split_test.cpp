@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "boxwood/build/binned_sah.h"
+#include "boxwood/build/block_sah.h"
 #include "boxwood/core/error.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
@@ -58,7 +60,7 @@ void expect_good_tree(const TriangleMesh& mesh, const SpatialSplitOptions& optio
     ASSERT_EQ(find_fault_in_split_tree(tree, triangle_boxes(mesh)), std::nullopt);
     expect_no_hole(mesh, tree);
     const TreeStatistics found = statistics(tree);
-    EXPECT_LE(found.largest_leaf, options.largest_leaf);
+    EXPECT_LE(found.largest_leaf, std::max(options.largest_leaf, options.block));
     const double most = options.replication * static_cast<double>(mesh.faces.size());
     EXPECT_LE(static_cast<double>(tree.order.size()), most);
     EXPECT_LE(static_cast<double>(found.depth), 41 + std::ceil(std::log2(std::max(most, 1.0))));
@@ -87,6 +89,8 @@ TEST(SpatialSplit, tree_is_good_for_every_mesh_and_option) {
         expect_good_tree(mesh, {.replication = 1});
         expect_good_tree(mesh, {.largest_leaf = 1, .least_overlap = 0});
         expect_good_tree(mesh, {.largest_leaf = 16, .leaf_block = 8});
+        expect_good_tree(mesh, {.replication = 4, .least_overlap = 0.01, .block = 16});
+        expect_good_tree(mesh, {.largest_leaf = 8, .least_overlap = 1, .block = 4});
     }
 }
 
@@ -120,24 +124,40 @@ TEST(SpatialSplit, leaves_fill_blocks) {
     EXPECT_LT(2 * leaves(8), leaves(1));
 }
 
+TEST(SpatialSplit, small_parts_are_those_of_block_sah) {
+    const TriangleMesh mesh = beams(300);
+    const SpatialSplitOptions options = {.least_overlap = 1e-3, .block = 16};
+    const Tree tree = build_spatial_split(mesh, options);
+    EXPECT_GT(tree.order.size(), mesh.faces.size());
+    // Where all is small nothing is left to split.
+    const TriangleMesh knot = generate_torus_knot(5000);
+    EXPECT_TRUE(are_identical(build_spatial_split(knot, {.least_overlap = 1, .block = 16}),
+                              build_block_sah(knot, {.block = 16})));
+}
+
 TEST(SpatialSplit, tree_is_the_same_for_any_number_of_threads) {
     const TriangleMesh mesh = beams(3000);
     std::vector<Tree> trees;
     for (const std::size_t threads : {1, 2, 5}) {
         const ThreadLimit limit(threads);
         trees.push_back(build_spatial_split(mesh, {.least_overlap = 0}));
+        trees.push_back(build_spatial_split(mesh, {.least_overlap = 1e-3, .block = 16}));
     }
-    EXPECT_TRUE(are_identical(trees[0], trees[1]));
-    EXPECT_TRUE(are_identical(trees[0], trees[2]));
+    for (std::size_t i = 2; i < trees.size(); ++i)
+        EXPECT_TRUE(are_identical(trees[i % 2], trees[i])) << i;
 }
 
-TEST(SpatialSplit, hits_are_those_of_brute_force_where_all_is_split) {
+TEST(SpatialSplit, hits_are_those_of_brute_force_where_all_or_much_is_split) {
     const TriangleMesh mesh = beams(60);
-    const Tree tree = build_spatial_split(mesh, {.replication = 4, .least_overlap = 0});
+    const Tree all = build_spatial_split(mesh, {.replication = 4, .least_overlap = 0});
+    const Tree large =
+        build_spatial_split(mesh, {.replication = 4, .least_overlap = 0.003, .block = 8});
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
         const Ray ray = random_ray(mesh, seed);
-        ASSERT_TRUE(are_identical(closest_hit(mesh, tree, ray), closest_hit_brute_force(mesh, ray)))
-            << "seed " << seed << " " << testing::PrintToString(ray);
+        const auto expected = closest_hit_brute_force(mesh, ray);
+        for (const Tree* tree : {&all, &large})
+            ASSERT_TRUE(are_identical(closest_hit(mesh, *tree, ray), expected))
+                << "seed " << seed << " " << testing::PrintToString(ray);
     }
 }
 

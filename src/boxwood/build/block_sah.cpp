@@ -24,7 +24,6 @@ namespace boxwood {
 
 namespace {
 
-/// Below this depth ranges are halved, so that no input makes a deep tree.
 constexpr int kDeepestSahSplit = 40;
 /// Ranges of fewer references are built by the task that comes to them.
 constexpr std::uint32_t kSmallestTask = 4096;
@@ -64,7 +63,9 @@ public:
     /// box_of(i) is the box of primitive i.
     template <class BoxOf>
     BlockSahBuilder(std::uint32_t count, const BoxOf& box_of, const BlockSahOptions& options)
-        : block_(options.block), memory_(count * sizeof(BlockReference)) {
+        : block_(options.block),
+          deepest_sah_split_(options.deepest_sah_split),
+          memory_(count * sizeof(BlockReference)) {
         references_ = reinterpret_cast<BlockReference*>(memory_.data());
         tree_.order.resize(count);
         make_references(count, box_of);
@@ -176,7 +177,7 @@ private:
         Bins bins(range.count() < kMany ? Bins::kMost / 2 : Bins::kMost);
         const Binning binning(range.centers, bins.size);
         Split split;
-        if (depth < kDeepestSahSplit) {
+        if (depth < deepest_sah_split_) {
             bin(range, binning, bins);
             split = best_split(binning, bins);
         }
@@ -350,6 +351,7 @@ private:
     }
 
     std::uint32_t block_;
+    int deepest_sah_split_;
     Arena memory_;
     BlockReference* references_ = nullptr;
     Range all_;  ///< that something can hit
@@ -360,6 +362,8 @@ private:
 void check(const BlockSahOptions& options) {
     if (options.block < 1 || options.block > 256)
         throw InvalidInput("build_block_sah: expected blocks of 1 to 256");
+    if (options.deepest_sah_split > kDeepestSahSplit)
+        throw InvalidInput("build_block_sah: expected cuts by SAH down to a depth of 40 at most");
 }
 
 }  // namespace

@@ -14,12 +14,15 @@
 #include <cmath>
 #include <vector>
 
+#include "boxwood/build/block_sah.h"
 #include "boxwood/build/clip.h"
 #include "boxwood/build/object_split.h"
 #include "boxwood/build/slots.h"
 #include "boxwood/build/spatial_bins.h"
 #include "boxwood/build/unit_scale.h"
+#include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
+#include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
 
 namespace boxwood {
@@ -56,10 +59,12 @@ public:
         : mesh_(mesh),
           options_(options),
           sah_(unit_scale(boxes), std::countr_zero(options.leaf_block)),
-          references_(most_references(boxes.size(), options.replication)),
-          tree_{.nodes = std::vector<Node>(2 * references_.size() - 1),
-                .order = std::vector<std::uint32_t>(references_.size(), kUnusedPlace),
-                .parents = {}} {
+          memory_(most_references(boxes.size(), options.replication) * sizeof(Reference)),
+          references_(reinterpret_cast<Reference*>(memory_.data()),
+                      memory_.size() / sizeof(Reference)) {
+        resize_on_huge_pages(tree_.nodes, 2 * references_.size() - 1);
+        resize_on_huge_pages(tree_.order, references_.size());
+        std::fill(tree_.order.begin(), tree_.order.end(), kUnusedPlace);
         // Boxes that nothing hits stand apart at the end and trouble no split.
         std::uint32_t begin = 0, end = capacity();
         for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -95,6 +100,8 @@ private:
             if (range.count() <= options_.largest_leaf) return make_leaf(index, range);
             return build_children(index, halve(range), depth);
         }
+        if (options_.block > 0 && sah_.half_area(range.box) <= least_overlap_)
+            return build_blocks(index, range, depth);
         const bool is_few = range.count() <= kFew;
         const std::uint32_t bins = range.count() < 64 ? kFewBins : kMostBins;
         const Grid grid(is_few ? WideBox() : centre_bounds(range), static_cast<int>(bins));
@@ -121,6 +128,24 @@ private:
         build_children(
             index, is_few ? split_by_rank(range, ranks, object) : split_by_bin(range, grid, object),
             depth);
+    }
+
+    /// No part of the range can overlap another by more than the least: no triangle will be split.
+    void build_blocks(std::uint32_t index, const Range& range, int depth) {
+        std::vector<Box3f> boxes;
+        boxes.reserve(range.count());
+        for (const Reference& reference : references(range)) boxes.push_back(reference.box().box());
+        const Tree blocks = build_block_sah(
+            boxes, {.block = options_.block, .deepest_sah_split = kDeepestSahSplit - depth});
+        for (std::uint32_t i = 0; i < range.count(); ++i)
+            tree_.order[range.begin + i] = references_[range.begin + blocks.order[i]].primitive();
+        // The slots of all splits of the range stand side by side.
+        const std::uint32_t slots = slot_of_children(range.begin + 1) - 1;
+        for (std::uint32_t i = 0; i < blocks.nodes.size(); ++i) {
+            Node node = blocks.nodes[i];
+            node.first += node.is_leaf() ? range.begin : slots;
+            tree_.nodes[i == 0 ? index : slots + i] = node;
+        }
     }
 
     WideBox centre_bounds(const Range& range) const {
@@ -241,7 +266,8 @@ private:
     MeshView mesh_;
     SpatialSplitOptions options_;
     Sah sah_;
-    std::vector<Reference> references_;
+    Arena memory_;
+    std::span<Reference> references_;
     Tree tree_;
     Range hittable_, empty_;
     float least_overlap_ = 0;

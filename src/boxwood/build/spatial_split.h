@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/tree/tree.h"
 
@@ -17,6 +19,9 @@ struct SpatialSplitOptions {
     /// Triangles are split only where the halves of the best other cut overlap in a box of more
     /// than this part of the root's area.
     double least_overlap = 1e-4;
+    /// Where nothing is that large any more, build_block_sah() goes on, with leaves of up to so
+    /// many triangles, which is faster; 0: nowhere.
+    std::uint32_t block = 0;
 };
 
 /// The builder for scenes with large triangles among small ones: as binned SAH, but where that
