@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "boxwood/build/bins.h"
+#include "boxwood/build/parts.h"
 #include "boxwood/build/unit_scale.h"
 #include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
@@ -52,12 +53,6 @@ struct Split {
     int bin = 0;    ///< the first bin of the right side
 };
 
-/// A part of the tree, root first, or a root and what is below it in parts of their own.
-struct Part {
-    std::vector<Node> nodes = std::vector<Node>(1);
-    std::unique_ptr<Part> left, right;
-};
-
 class BlockSahBuilder {
 public:
     /// box_of(i) is the box of primitive i.
@@ -72,28 +67,23 @@ public:
     }
 
     Tree build() && {
-        Part root;
+        TreePart root;
         if (all_.count() == tree_.order.size()) {
             build_part(root, all_, 0);
         } else {
             // What nothing hits is kept apart.
-            root.right = std::make_unique<Part>();
+            root.right = std::make_unique<TreePart>();
             build_hidden(root.right->nodes, 0, all_.end, tree_.order.size());
             if (all_.count() == 0) {
                 root = std::move(*root.right);
             } else {
-                root.left = std::make_unique<Part>();
+                root.left = std::make_unique<TreePart>();
                 build_part(*root.left, all_, 1);
                 root.nodes[0].box = merged(root.left->nodes[0].box, root.right->nodes[0].box);
             }
         }
         memory_ = {};
-        if (root.left) {
-            tree_.nodes.resize(1);
-            append(root, 0);
-        } else {
-            tree_.nodes = std::move(root.nodes);
-        }
+        tree_.nodes = joined(std::move(root));
         return std::move(tree_);
     }
 
@@ -139,14 +129,14 @@ private:
             .all();
     }
 
-    void build_part(Part& part, const Range& range, int depth) {
+    void build_part(TreePart& part, const Range& range, int depth) {
         if (range.count() <= kSmallestTask) {
             part.nodes.reserve(range.count() / 4 + 1);
             return build_node(part.nodes, 0, range, depth);
         }
         part.nodes[0].box = range.bounds.box();
-        part.left = std::make_unique<Part>();
-        part.right = std::make_unique<Part>();
+        part.left = std::make_unique<TreePart>();
+        part.right = std::make_unique<TreePart>();
         Range left, right;
         divide(range, depth, left, right);
         invoke_both(
@@ -329,25 +319,6 @@ private:
         build_hidden(nodes, first, begin, middle);
         build_hidden(nodes, first + 1, middle, end);
         nodes[index].box = merged(nodes[first].box, nodes[first + 1].box);
-    }
-
-    void append(const Part& part, std::uint32_t index) {
-        std::vector<Node>& nodes = tree_.nodes;
-        nodes[index] = part.nodes[0];
-        const auto first = static_cast<std::uint32_t>(nodes.size());
-        if (part.left) {
-            nodes[index].first = first;
-            nodes.resize(first + 2);
-            append(*part.left, first);
-            append(*part.right, first + 1);
-        } else {
-            const std::uint32_t offset = first - 1;
-            nodes.insert(nodes.end(), part.nodes.begin() + 1, part.nodes.end());
-            if (!nodes[index].is_leaf()) nodes[index].first += offset;
-            for (std::size_t i = first; i < nodes.size(); ++i) {
-                if (!nodes[i].is_leaf()) nodes[i].first += offset;
-            }
-        }
     }
 
     std::uint32_t block_;

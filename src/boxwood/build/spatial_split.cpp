@@ -12,11 +12,15 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "boxwood/build/block_sah.h"
 #include "boxwood/build/clip.h"
 #include "boxwood/build/object_split.h"
+#include "boxwood/build/parts.h"
 #include "boxwood/build/slots.h"
 #include "boxwood/build/spatial_bins.h"
 #include "boxwood/build/unit_scale.h"
@@ -62,7 +66,6 @@ public:
           memory_(most_references(boxes.size(), options.replication) * sizeof(Reference)),
           references_(reinterpret_cast<Reference*>(memory_.data()),
                       memory_.size() / sizeof(Reference)) {
-        resize_on_huge_pages(tree_.nodes, 2 * references_.size() - 1);
         resize_on_huge_pages(tree_.order, references_.size());
         std::fill(tree_.order.begin(), tree_.order.end(), kUnusedPlace);
         // Boxes that nothing hits stand apart at the end and trouble no split.
@@ -76,14 +79,16 @@ public:
     }
 
     Tree build() && {
+        TreePart root;
         if (empty_.count() == 0) {
-            build_node(0, hittable_, 0);
+            build_part(root, hittable_, 0);
         } else if (hittable_.count() == 0) {
-            build_node(0, empty_, 0);
+            build_part(root, empty_, 0);
         } else {
-            build_children(0, {hittable_, empty_}, 0);
+            build_children(root, {hittable_, empty_}, 0);
         }
-        close_gaps(tree_.nodes);
+        memory_ = {};
+        tree_.nodes = joined(std::move(root));
         close_gaps_in_order(tree_);
         return std::move(tree_);
     }
@@ -94,58 +99,94 @@ private:
         return {references_.data() + range.begin, range.count()};
     }
 
-    void build_node(std::uint32_t index, const Range& range, int depth) {
-        if (range.count() == 1) return make_leaf(index, range);
-        if (range.box.is_empty() || depth >= kDeepestSahSplit) {
-            if (range.count() <= options_.largest_leaf) return make_leaf(index, range);
-            return build_children(index, halve(range), depth);
+    void build_part(TreePart& part, Range range, int depth) {
+        if (range.count() <= kSmallestTask || is_for_blocks(range))
+            return build_node(part.nodes, 0, range, depth);
+        if (const auto halves = cut(range, depth)) {
+            build_children(part, *halves, depth);
+        } else {
+            make_leaf(part.nodes[0], range);
         }
-        if (options_.block > 0 && sah_.half_area(range.box) <= least_overlap_)
-            return build_blocks(index, range, depth);
-        const bool is_few = range.count() <= kFew;
-        const std::uint32_t bins = range.count() < 64 ? kFewBins : kMostBins;
-        const Grid grid(is_few ? WideBox() : centre_bounds(range), static_cast<int>(bins));
-        Ranks ranks;
-        const ObjectSplit object = is_few ? best_swept_split(references(range), sah_, ranks)
-                                          : best_binned_split(references(range), sah_, grid, bins);
-
-        SpatialSplit spatial;
-        const Grid space(range.box, kSpatialBins);
-        if (range.room() > 0 && (object.axis < 0 || overlap(object) > least_overlap_))
-            spatial = best_spatial_split(mesh_, references(range), sah_, space, range.room(),
-                                         object.cost);
-
-        if (is_leaf_cheaper(range, std::min(object.cost, spatial.cost)))
-            return make_leaf(index, range);
-        if (spatial.axis >= 0) {
-            const Halves halves = split_space(range, space, spatial);
-            // Clipping may show that there was nothing on one side.
-            if (halves.left.count() == 0) return build_node(index, halves.right, depth + 1);
-            if (halves.right.count() == 0) return build_node(index, halves.left, depth + 1);
-            return build_children(index, halves, depth);
-        }
-        if (object.axis < 0) return build_children(index, halve(range), depth);
-        build_children(
-            index, is_few ? split_by_rank(range, ranks, object) : split_by_bin(range, grid, object),
-            depth);
     }
 
-    /// No part of the range can overlap another by more than the least: no triangle will be split.
-    void build_blocks(std::uint32_t index, const Range& range, int depth) {
+    void build_children(TreePart& part, const Halves& halves, int depth) {
+        part.left = std::make_unique<TreePart>();
+        part.right = std::make_unique<TreePart>();
+        invoke_both(
+            halves.left.count() + halves.right.count() > kSmallestTask,
+            [&] { build_part(*part.left, halves.left, depth + 1); },
+            [&] { build_part(*part.right, halves.right, depth + 1); });
+        // Clipping makes the children smaller than the set was.
+        part.nodes[0].box = merged(part.left->nodes[0].box, part.right->nodes[0].box);
+    }
+
+    void build_node(std::vector<Node>& nodes, std::uint32_t index, Range range, int depth) {
+        if (is_for_blocks(range)) return build_blocks(nodes, index, range, depth);
+        const auto halves = cut(range, depth);
+        if (!halves) return make_leaf(nodes[index], range);
+        const auto first = static_cast<std::uint32_t>(nodes.size());
+        nodes[index].first = first;
+        nodes.resize(first + 2);
+        build_node(nodes, first, halves->left, depth + 1);
+        build_node(nodes, first + 1, halves->right, depth + 1);
+        nodes[index].box = merged(nodes[first].box, nodes[first + 1].box);
+    }
+
+    /// How to cut the range, or nothing when it becomes a leaf. Clipping may show that all of it is
+    /// on one side of a plane: then the range, and the depth, are what the next cut starts from.
+    std::optional<Halves> cut(Range& range, int& depth) {
+        for (;; ++depth) {
+            if (range.count() == 1) return std::nullopt;
+            if (range.box.is_empty() || depth >= kDeepestSahSplit) {
+                if (range.count() <= options_.largest_leaf) return std::nullopt;
+                return halve(range);
+            }
+            const bool is_few = range.count() <= kFew;
+            const std::uint32_t bins = range.count() < 64 ? kFewBins : kMostBins;
+            const Grid grid(is_few ? WideBox() : centre_bounds(range), static_cast<int>(bins));
+            Ranks ranks;
+            const ObjectSplit object = is_few
+                                           ? best_swept_split(references(range), sah_, ranks)
+                                           : best_binned_split(references(range), sah_, grid, bins);
+
+            SpatialSplit spatial;
+            const Grid space(range.box, kSpatialBins);
+            if (range.room() > 0 && (object.axis < 0 || overlap(object) > least_overlap_))
+                spatial = best_spatial_split(mesh_, references(range), sah_, space, range.room(),
+                                             object.cost);
+
+            if (is_leaf_cheaper(range, std::min(object.cost, spatial.cost))) return std::nullopt;
+            if (spatial.axis < 0) {
+                if (object.axis < 0) return halve(range);
+                return is_few ? split_by_rank(range, ranks, object)
+                              : split_by_bin(range, grid, object);
+            }
+            const Halves halves = split_space(range, space, spatial);
+            if (halves.left.count() > 0 && halves.right.count() > 0) return halves;
+            range = halves.left.count() == 0 ? halves.right : halves.left;
+        }
+    }
+
+    /// Whether it is too small for parts of it to overlap by more than the least, so that no
+    /// triangle will be split.
+    bool is_for_blocks(const Range& range) const {
+        return options_.block > 0 && !range.box.is_empty() &&
+               sah_.half_area(range.box) <= least_overlap_;
+    }
+
+    void build_blocks(std::vector<Node>& nodes, std::uint32_t index, const Range& range,
+                      int depth) {
         std::vector<Box3f> boxes;
         boxes.reserve(range.count());
         for (const Reference& reference : references(range)) boxes.push_back(reference.box().box());
-        const Tree blocks = build_block_sah(
+        Tree blocks = build_block_sah(
             boxes, {.block = options_.block, .deepest_sah_split = kDeepestSahSplit - depth});
         for (std::uint32_t i = 0; i < range.count(); ++i)
             tree_.order[range.begin + i] = references_[range.begin + blocks.order[i]].primitive();
-        // The slots of all splits of the range stand side by side.
-        const std::uint32_t slots = slot_of_children(range.begin + 1) - 1;
-        for (std::uint32_t i = 0; i < blocks.nodes.size(); ++i) {
-            Node node = blocks.nodes[i];
-            node.first += node.is_leaf() ? range.begin : slots;
-            tree_.nodes[i == 0 ? index : slots + i] = node;
-        }
+        const auto offset = static_cast<std::uint32_t>(nodes.size()) - 1;
+        for (Node& node : blocks.nodes) node.first += node.is_leaf() ? range.begin : offset;
+        nodes[index] = blocks.nodes[0];
+        nodes.insert(nodes.end(), blocks.nodes.begin() + 1, blocks.nodes.end());
     }
 
     WideBox centre_bounds(const Range& range) const {
@@ -167,19 +208,8 @@ private:
                options_.node_cost * area + options_.block_cost * split_cost;
     }
 
-    void build_children(std::uint32_t index, const Halves& halves, int depth) {
-        Node& node = tree_.nodes[index];
-        node.first = slot_of_children(halves.right.begin);
-        invoke_both(
-            halves.left.count() + halves.right.count() > kSmallestTask,
-            [&] { build_node(node.left(), halves.left, depth + 1); },
-            [&] { build_node(node.right(), halves.right, depth + 1); });
-        // Clipping makes the children smaller than the set was.
-        node.box = merged(tree_.nodes[node.left()].box, tree_.nodes[node.right()].box);
-    }
-
-    void make_leaf(std::uint32_t index, const Range& range) {
-        tree_.nodes[index] = {range.box.box(), range.begin, range.count()};
+    void make_leaf(Node& node, const Range& range) {
+        node = {range.box.box(), range.begin, range.count()};
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             tree_.order[i] = references_[i].primitive();
     }
