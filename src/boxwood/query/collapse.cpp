@@ -18,6 +18,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
@@ -65,8 +66,7 @@ public:
     std::optional<Collapsed> run() {
         if (!plan(0, 0)) return std::nullopt;
         Collapsed result;
-        // The root is a node, whatever is cheaper.
-        result.cost = cost(0, 1) + (plans_[0].is_leaf && inverse_area_ > 0 ? kNodeCost : 0);
+        result.cost = root_cost();
         result.memory = Arena(measure(0));
         result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
@@ -76,6 +76,9 @@ public:
         result.left_out = std::move(left_out_);
         return result;
     }
+
+    /// Likewise.
+    std::optional<double> cost() { return plan(0, 0) ? std::optional(root_cost()) : std::nullopt; }
 
 private:
     /// What is known of a binary node: first the costs of its subtree, later, where a wide node
@@ -110,6 +113,11 @@ private:
     }
 
     float cost(std::uint32_t index, int places) const { return rows_[index].costs[places - 1]; }
+
+    /// The root is a node, whatever is cheaper.
+    double root_cost() const {
+        return cost(0, 1) + (plans_[0].is_leaf && inverse_area_ > 0 ? kNodeCost : 0);
+    }
 
     /// Fills plans and rows from the leaves up; false where it is too deep.
     bool plan(std::uint32_t index, int depth) {
@@ -382,18 +390,36 @@ Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale, bool compact
     return std::move(*Collapser<N>(mesh, flatter, scale, compact).run());
 }
 
+template <int N>
+double cost_of(const Tree& tree) {
+    if (const auto cost = Collapser<N>({}, tree, 1, false).cost()) return *cost;
+    const Tree flatter = bound_depth(tree, kDeepest - 32);
+    return *Collapser<N>({}, flatter, 1, false).cost();
+}
+
+/// Calls function with the width as a type.
+template <class Function>
+auto with_width(int width, const Function& function) {
+    switch (width) {
+        case 16:
+            return function(std::integral_constant<int, 16>());
+        case 8:
+            return function(std::integral_constant<int, 8>());
+        default:
+            return function(std::integral_constant<int, 4>());
+    }
+}
+
 }  // namespace
 
 Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact) {
     if (tree.is_empty()) return {};
-    switch (width) {
-        case 16:
-            return collapse_to<16>(mesh, tree, scale, compact);
-        case 8:
-            return collapse_to<8>(mesh, tree, scale, compact);
-        default:
-            return collapse_to<4>(mesh, tree, scale, compact);
-    }
+    return with_width(width, [&](auto n) { return collapse_to<n>(mesh, tree, scale, compact); });
+}
+
+double collapsed_cost(const Tree& tree, int width) {
+    if (tree.is_empty()) return 0;
+    return with_width(width, [&](auto n) { return cost_of<n>(tree); });
 }
 
 }  // namespace boxwood

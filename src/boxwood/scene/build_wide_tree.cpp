@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/scene/build_wide_tree.h"
 
+#include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "boxwood/build/block_sah.h"
@@ -8,6 +10,8 @@
 #include "boxwood/build/reinsertion.h"
 #include "boxwood/build/runs.h"
 #include "boxwood/build/spatial_split.h"
+#include "boxwood/core/parallel.h"
+#include "boxwood/query/collapse.h"
 
 namespace boxwood {
 
@@ -18,13 +22,6 @@ constexpr double kWorthSplitting = 0.97;
 /// What is smaller is left to the faster builder: the cost of rays stays within 1 percent of what
 /// it is with a tenth or a twentieth of this, in 0.6 to 0.8 of the time.
 constexpr double kLeastOverlap = 2e-3;
-
-BuiltTree collapsed(MeshView mesh, Tree tree, const WideBuildOptions& options) {
-    WideTree wide(mesh, tree,
-                  {.instruction_set = options.instruction_set,
-                   .compact = options.preset == BuildPreset::compact});
-    return {std::move(tree), std::move(wide)};
-}
 
 Tree fast(MeshView mesh, std::uint32_t width) {
     const std::uint32_t length = run_length(mesh, width);
@@ -55,17 +52,51 @@ Tree with_splits(MeshView mesh, std::uint32_t width) {
     return tree;
 }
 
+/// Else no cut of triangles is worth it.
+bool has_large_triangles(MeshView mesh, const Box3f& bounds) {
+    constexpr std::size_t kPiece = 4096;
+    const double least = kLeastOverlap * bounds.surface_area();
+    return parallel_reduce(
+        mesh.faces.size(), kPiece, false,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (triangle_box(mesh, i).surface_area() > least) return true;
+            }
+            return false;
+        },
+        std::logical_or<>());
+}
+
+/// The cost of the wide tree tells which is faster; that of the binary one doesn't.
+Tree best(MeshView mesh, std::uint32_t width) {
+    Tree whole = balanced(mesh, width);
+    if (whole.is_empty() || !has_large_triangles(mesh, whole.root().box)) return whole;
+    Tree split = with_splits(mesh, width);
+    const int lanes = static_cast<int>(width);
+    const bool pays = collapsed_cost(split, lanes) < kWorthSplitting * collapsed_cost(whole, lanes);
+    return pays ? std::move(split) : std::move(whole);
+}
+
+Tree built(MeshView mesh, BuildPreset preset, std::uint32_t width) {
+    switch (preset) {
+        case BuildPreset::fast:
+            return fast(mesh, width);
+        case BuildPreset::best:
+            return best(mesh, width);
+        default:
+            return balanced(mesh, width);
+    }
+}
+
 }  // namespace
 
 BuiltTree build_preset(MeshView mesh, const WideBuildOptions& options) {
     const auto width = static_cast<std::uint32_t>(lanes(options.instruction_set));
-    if (options.preset == BuildPreset::fast) return collapsed(mesh, fast(mesh, width), options);
-    BuiltTree whole = collapsed(mesh, balanced(mesh, width), options);
-    if (options.preset != BuildPreset::best) return whole;
-    // The cost of the wide tree tells which is faster; that of the binary one doesn't.
-    BuiltTree split = collapsed(mesh, with_splits(mesh, width), options);
-    const bool pays = split.wide.cost() < kWorthSplitting * whole.wide.cost();
-    return pays ? std::move(split) : std::move(whole);
+    Tree tree = built(mesh, options.preset, width);
+    WideTree wide(mesh, tree,
+                  {.instruction_set = options.instruction_set,
+                   .compact = options.preset == BuildPreset::compact});
+    return {std::move(tree), std::move(wide)};
 }
 
 WideTree build_wide_tree(MeshView mesh, const WideBuildOptions& options) {
