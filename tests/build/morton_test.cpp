@@ -33,7 +33,9 @@ TEST(Morton, meshes_of_every_family_make_a_good_tree) {
         SCOPED_TRACE(largest_leaf);
         for (const MeshFamily& family : mesh_families()) {
             SCOPED_TRACE(family.name);
-            expect_good_tree(triangle_boxes(family.make()), {.largest_leaf = largest_leaf});
+            for (const bool full_leaves : {false, true})
+                expect_good_tree(triangle_boxes(family.make()),
+                                 {.largest_leaf = largest_leaf, .full_leaves = full_leaves});
         }
     }
 }
@@ -42,13 +44,28 @@ TEST(Morton, hard_boxes_make_a_good_tree) {
     for (const auto& [name, boxes] : hard_boxes()) {
         SCOPED_TRACE(name);
         for (const std::uint32_t largest_leaf : {1, 16})
-            expect_good_tree(boxes, {.largest_leaf = largest_leaf});
+            for (const bool full_leaves : {false, true})
+                expect_good_tree(boxes, {.largest_leaf = largest_leaf, .full_leaves = full_leaves});
     }
 }
 
 TEST(Morton, leaves_larger_than_a_task_will_do) {
     expect_good_tree(random_boxes(10'000, 1), {.largest_leaf = 5000});
     expect_good_tree(random_boxes(10'000, 1), {.largest_leaf = 1'000'000});
+}
+
+TEST(Morton, cells_of_few_leaves_leave_all_full_but_one) {
+    for (std::size_t count = 17; count <= 48; ++count) {
+        const TreeStatistics found = statistics(
+            build_morton(random_boxes(count, 1), {.largest_leaf = 16, .full_leaves = true}));
+        EXPECT_EQ(found.leaves, (count + 15) / 16) << count;
+    }
+    const std::vector<Box3f> boxes = triangle_boxes(generate_gyroid(20'000));
+    const auto leaves = [&](bool full_leaves) {
+        const Tree tree = build_morton(boxes, {.largest_leaf = 16, .full_leaves = full_leaves});
+        return static_cast<double>(statistics(tree).leaves);
+    };
+    EXPECT_LT(leaves(true), 0.85 * leaves(false));
 }
 
 TEST(Morton, leaves_of_nothing_are_refused) {

@@ -49,9 +49,10 @@ struct Subtree {
 
 class MortonBuilder {
 public:
-    MortonBuilder(std::span<const Box3f> boxes, std::uint32_t largest_leaf)
+    MortonBuilder(std::span<const Box3f> boxes, const MortonOptions& options)
         : boxes_(boxes),
-          largest_leaf_(largest_leaf),
+          largest_leaf_(options.largest_leaf),
+          full_leaves_(options.full_leaves),
           memory_(2 * boxes.size() * sizeof(MortonKey)),
           keys_(reinterpret_cast<MortonKey*>(memory_.data()), boxes.size()),
           scratch_(keys_.data() + boxes.size(), boxes.size()) {}
@@ -137,7 +138,25 @@ private:
         const int bit = std::bit_width(code_of(keys.front()) ^ last) - 1;
         const MortonKey first_of_right = morton_key(last >> bit << bit, 0);
         const auto middle = std::lower_bound(keys.begin(), keys.end(), first_of_right);
-        return range.begin + static_cast<std::uint32_t>(middle - keys.begin());
+        const auto left = static_cast<std::uint32_t>(middle - keys.begin());
+        return range.begin + (full_leaves_ ? with_full_leaves(left, range.size()) : left);
+    }
+
+    /// The size of the left side nearest to what it is to be that leaves all leaves full but one,
+    /// in ranges of few of them: either side is a whole number of leaves.
+    std::uint32_t with_full_leaves(std::uint32_t left, std::uint32_t size) const {
+        constexpr std::uint32_t kFewLeaves = 3;
+        if (size > kFewLeaves * largest_leaf_) return left;
+        const std::uint32_t most = (size - 1) / largest_leaf_;
+        const auto whole = [&](std::uint32_t count) {
+            const std::uint32_t leaves = (count + largest_leaf_ / 2) / largest_leaf_;
+            return std::clamp(leaves, 1u, most) * largest_leaf_;
+        };
+        const auto distance = [&](std::uint32_t other) {
+            return other > left ? other - left : left - other;
+        };
+        const std::uint32_t full_left = whole(left), full_right = size - whole(size - left);
+        return distance(full_left) <= distance(full_right) ? full_left : full_right;
     }
 
     /// Behind the nodes above the subtrees, one subtree after another; roots are there already.
@@ -172,6 +191,7 @@ private:
 
     std::span<const Box3f> boxes_;
     std::uint32_t largest_leaf_;
+    bool full_leaves_;
     Arena memory_;
     std::span<MortonKey> keys_, scratch_;
     std::vector<Subtree> subtrees_;
@@ -183,7 +203,7 @@ private:
 Tree build_morton(std::span<const Box3f> boxes, const MortonOptions& options) {
     if (options.largest_leaf < 1) throw InvalidInput("build_morton: expected leaves of at least 1");
     if (boxes.empty()) return {};
-    return MortonBuilder(boxes, options.largest_leaf).build();
+    return MortonBuilder(boxes, options).build();
 }
 
 }  // namespace boxwood

@@ -10,6 +10,9 @@ namespace boxwood {
 
 struct MortonOptions {
     std::uint32_t largest_leaf = 4;  ///< primitives, at least 1
+    /// Cells of few leaves are cut where that leaves full ones: a quarter less memory, for rays
+    /// that take a little longer.
+    bool full_leaves = false;
 };
 
 /// The fastest builder, for what moves: splits space, not the primitives, at the middle of ever

@@ -26,7 +26,8 @@ constexpr double kLeastOverlap = 2e-3;
 Tree fast(MeshView mesh, std::uint32_t width) {
     const std::uint32_t length = run_length(mesh, width);
     const TriangleRuns runs(mesh, length);
-    return runs.over_triangles(build_morton(runs.boxes(), {.largest_leaf = width / length}));
+    return runs.over_triangles(
+        build_morton(runs.boxes(), {.largest_leaf = width / length, .full_leaves = true}));
 }
 
 Tree balanced(MeshView mesh, std::uint32_t width) {
