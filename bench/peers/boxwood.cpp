@@ -28,10 +28,9 @@ public:
 
     void build(const PlainMesh& mesh, Quality quality) override {
         const ThreadLimit limit(static_cast<std::size_t>(threads_));
-        // The library takes vertices in double.
-        vertices_.resize(mesh.vertex_count());
-        for (std::size_t i = 0; i < vertices_.size(); ++i)
-            vertices_[i] = Eigen::Map<const Vec3f>(&mesh.vertices[3 * i]).cast<double>();
+        // Trees are built over vertices in double, as scenes do for those in float.
+        vertices_ =
+            in_double({reinterpret_cast<const Vec3f*>(mesh.vertices.data()), mesh.vertex_count()});
         const std::span faces(reinterpret_cast<const Vec3i*>(mesh.faces.data()), mesh.face_count());
         mesh_ = {vertices_, faces};
         constexpr BuildPreset kPresets[] = {BuildPreset::fast, BuildPreset::balanced,

@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "boxwood/build/binned_sah.h"
+#include "boxwood/core/arena.h"
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/tree/statistics.h"
 #include "boxwood/tree/validate.h"
 #include "build/hard_boxes.h"
+#include "laws/hits.h"
 #include "laws/mesh_families.h"
 
 namespace boxwood {
@@ -66,6 +68,15 @@ TEST(Morton, cells_of_few_leaves_leave_all_full_but_one) {
         return static_cast<double>(statistics(tree).leaves);
     };
     EXPECT_LT(leaves(true), 0.85 * leaves(false));
+}
+
+TEST(Morton, memory_to_sort_in_changes_nothing) {
+    const std::vector<Box3f> boxes = random_boxes(10'000, 1);
+    const Tree expected = build_morton(boxes);
+    for (const std::size_t bytes : {16 * boxes.size(), 16 * boxes.size() - 1}) {
+        const Arena memory(bytes);
+        EXPECT_TRUE(are_identical(build_morton(boxes, {.scratch = memory.bytes()}), expected));
+    }
 }
 
 TEST(Morton, leaves_of_nothing_are_refused) {

@@ -9,6 +9,7 @@
 
 #include "boxwood/build/block_sah.h"
 #include "boxwood/build/morton.h"
+#include "boxwood/core/arena.h"
 #include "boxwood/core/parallel.h"
 #include "boxwood/core/random.h"
 #include "boxwood/mesh/generate.h"
@@ -27,8 +28,11 @@ TriangleMesh shuffled(TriangleMesh mesh) {
     return mesh;
 }
 
+Arena memory_for(const TriangleMesh& mesh) { return Arena(mesh.faces.size() * sizeof(Box3f)); }
+
 Tree built_over_runs(const TriangleMesh& mesh, std::uint32_t length, std::uint32_t leaf) {
-    const TriangleRuns runs(mesh, length);
+    const Arena memory = memory_for(mesh);
+    const TriangleRuns runs(mesh, length, memory.bytes());
     return runs.over_triangles(build_block_sah(runs.boxes(), {.block = leaf / length}));
 }
 
@@ -41,7 +45,8 @@ TEST(Runs, trees_over_them_are_valid_trees_over_the_triangles) {
             const Tree tree = built_over_runs(mesh, length, 16);
             ASSERT_EQ(find_fault(tree, boxes), std::nullopt);
             EXPECT_LE(statistics(tree).largest_leaf, 16u);
-            const TriangleRuns runs(mesh, length);
+            const Arena memory = memory_for(mesh);
+            const TriangleRuns runs(mesh, length, memory.bytes());
             const Tree morton = runs.over_triangles(build_morton(runs.boxes()));
             ASSERT_EQ(find_fault(morton, boxes), std::nullopt);
         }
@@ -105,7 +110,8 @@ TEST(Runs, pairs_are_taken_where_every_other_two_lie_apart) {
 void expect_boxes_no_larger_than_those_inside(const TriangleMesh& mesh) {
     double of_each = 0, of_runs = 0;
     for (const Box3f& box : triangle_boxes(mesh)) of_each += box.surface_area();
-    const TriangleRuns runs(mesh, 4);
+    const Arena memory = memory_for(mesh);
+    const TriangleRuns runs(mesh, 4, memory.bytes());
     for (const Box3f& box : runs.boxes()) of_runs += box.surface_area();
     EXPECT_LE(of_runs, of_each * (1 + 1e-6));
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "boxwood/build/block_sah.h"
 #include "boxwood/mesh/generate.h"
 
@@ -33,6 +35,17 @@ TEST_P(WideTreeMemory, stays_within_its_limits) {
 INSTANTIATE_TEST_SUITE_P(Sets, WideTreeMemory,
                          testing::ValuesIn(instruction_sets().begin(), instruction_sets().end()),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(WideTree, memory_that_is_spare_changes_nothing) {
+    const TriangleMesh mesh = generate_gyroid(20'000);
+    const Tree tree = build_block_sah(mesh, {.block = 4});
+    const WideTree expected(mesh, tree);
+    for (const std::size_t bytes : {expected.bytes() - 1, expected.bytes(), 3 * expected.bytes()}) {
+        const WideTree wide(mesh, tree, {}, Arena(bytes));
+        ASSERT_EQ(wide.bytes(), expected.bytes());
+        EXPECT_EQ(std::memcmp(wide.view().memory, expected.view().memory, wide.bytes()), 0);
+    }
+}
 
 TEST(WideTree, over_nothing_is_empty) {
     for (const bool compact : {false, true}) {

@@ -53,9 +53,11 @@ public:
         : boxes_(boxes),
           largest_leaf_(options.largest_leaf),
           full_leaves_(options.full_leaves),
-          memory_(2 * boxes.size() * sizeof(MortonKey)),
-          keys_(reinterpret_cast<MortonKey*>(memory_.data()), boxes.size()),
-          scratch_(keys_.data() + boxes.size(), boxes.size()) {}
+          memory_(is_enough(options.scratch) ? 0 : 2 * boxes.size() * sizeof(MortonKey)) {
+        std::byte* memory = is_enough(options.scratch) ? options.scratch.data() : memory_.data();
+        keys_ = {reinterpret_cast<MortonKey*>(memory), boxes.size()};
+        scratch_ = {keys_.data() + boxes.size(), boxes.size()};
+    }
 
     Tree build() && {
         number_primitives(keys_);
@@ -74,6 +76,10 @@ public:
     }
 
 private:
+    bool is_enough(std::span<std::byte> scratch) const {
+        return scratch.size() >= 2 * boxes_.size() * sizeof(MortonKey);
+    }
+
     void split_into_subtrees(std::uint32_t index, const Range& range) {
         if (range.size() <= std::max(kSmallestTask, largest_leaf_)) {
             subtrees_.push_back({range, index});

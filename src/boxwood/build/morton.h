@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -13,6 +14,8 @@ struct MortonOptions {
     /// Cells of few leaves are cut where that leaves full ones: a quarter less memory, for rays
     /// that take a little longer.
     bool full_leaves = false;
+    /// Memory to sort in, if it has 16 bytes a primitive; else the builder takes some.
+    std::span<std::byte> scratch = {};
 };
 
 /// The fastest builder, for what moves: splits space, not the primitives, at the middle of ever

@@ -106,20 +106,20 @@ struct TriangleRuns::Cutter {
     }
 };
 
-TriangleRuns::TriangleRuns(MeshView mesh, std::uint32_t length)
-    : triangles_(mesh.faces.size()), memory_(triangles_ * sizeof(Box3f)) {
+TriangleRuns::TriangleRuns(MeshView mesh, std::uint32_t length, std::span<std::byte> memory)
+    : triangles_(mesh.faces.size()) {
     if (length == 4) {
-        make<4>(mesh);
+        make<4>(mesh, memory);
     } else if (length == 2) {
-        make<2>(mesh);
+        make<2>(mesh, memory);
     } else {
-        boxes_ = triangle_boxes(mesh, memory_);
+        boxes_ = triangle_boxes(mesh, memory);
     }
 }
 
 template <std::uint32_t kLength>
-void TriangleRuns::make(MeshView mesh) {
-    auto* const boxes = reinterpret_cast<Box3f*>(memory_.data());
+void TriangleRuns::make(MeshView mesh, std::span<std::byte> memory) {
+    auto* const boxes = reinterpret_cast<Box3f*>(memory.data());
     const std::size_t whole = triangles_ / kLength;
     resize_on_huge_pages(runs_, whole);
     std::vector<Cutter> cutters((whole + kPiece - 1) / kPiece, {mesh});

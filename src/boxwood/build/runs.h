@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "boxwood/core/arena.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/tree/tree.h"
 
@@ -21,8 +21,9 @@ std::uint32_t run_length(MeshView mesh, std::uint32_t longest);
 /// shorter ones, down to single triangles. The same for any number of threads. O(n), all cores.
 class TriangleRuns {
 public:
-    /// Precondition: length is 1, 2 or 4.
-    TriangleRuns(MeshView mesh, std::uint32_t length);
+    /// Preconditions: length is 1, 2 or 4; memory for a box a triangle, which is nobody else's as
+    /// long as boxes() are looked at.
+    TriangleRuns(MeshView mesh, std::uint32_t length, std::span<std::byte> memory);
 
     /// One for each run: of those of its triangles that have boxes.
     std::span<const Box3f> boxes() const { return boxes_; }
@@ -37,10 +38,9 @@ private:
     struct Cutter;
 
     template <std::uint32_t kLength>
-    void make(MeshView mesh);
+    void make(MeshView mesh, std::span<std::byte> memory);
 
     std::size_t triangles_;
-    Arena memory_;
     std::span<const Box3f> boxes_;
     std::vector<Run> runs_;  ///< none when each triangle is one
 };

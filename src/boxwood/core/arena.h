@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 namespace boxwood {
 
@@ -16,6 +17,9 @@ public:
 
     std::byte* data() const { return memory_.get(); }
     std::size_t size() const { return size_; }
+    std::span<std::byte> bytes() const { return {data(), size_}; }
+    /// Keeps the memory, and uses less of it. Precondition: it isn't more.
+    void shrink(std::size_t size) { size_ = size; }
 
 private:
     struct Free {

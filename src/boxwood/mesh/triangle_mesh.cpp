@@ -37,6 +37,15 @@ void for_each_box(MeshView mesh, const Visit& visit) {
 
 }  // namespace
 
+std::vector<Vec3d> in_double(std::span<const Vec3f> vertices) {
+    std::vector<Vec3d> result;
+    resize_on_huge_pages(result, vertices.size());
+    parallel_for(vertices.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) result[i] = vertices[i].cast<double>();
+    });
+    return result;
+}
+
 void check_indices(MeshView mesh) {
     const auto count = static_cast<std::int64_t>(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -68,7 +77,7 @@ std::vector<Box3f> triangle_boxes(MeshView mesh) {
     return boxes;
 }
 
-std::span<const Box3f> triangle_boxes(MeshView mesh, const Arena& memory) {
+std::span<const Box3f> triangle_boxes(MeshView mesh, std::span<std::byte> memory) {
     auto* const boxes = reinterpret_cast<Box3f*>(memory.data());
     for_each_box(mesh, [&](std::size_t i, const Box3f& box) { new (boxes + i) Box3f(box); });
     return {boxes, mesh.faces.size()};

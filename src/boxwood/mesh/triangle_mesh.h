@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "boxwood/core/arena.h"
 #include "boxwood/core/box.h"
 #include "boxwood/core/round_outward.h"
 #include "boxwood/core/vec.h"
@@ -29,6 +28,9 @@ struct MeshViewf {
     std::span<const Vec3f> vertices;
     std::span<const Vec3i> faces;
 };
+
+/// The same vertices in double. O(n), all cores.
+std::vector<Vec3d> in_double(std::span<const Vec3f> vertices);
 
 /// An indexed triangle mesh.
 struct TriangleMesh {
@@ -70,9 +72,9 @@ inline Box3f triangle_box(MeshView mesh, std::size_t face) {
 /// The triangle_box() of each triangle. O(n), all cores.
 std::vector<Box3f> triangle_boxes(MeshView mesh);
 
-/// Likewise, in memory of that size that nothing else is in: for speed, as nobody touches it
-/// before.
-std::span<const Box3f> triangle_boxes(MeshView mesh, const Arena& memory);
+/// Likewise, in memory of at least that size that nothing else is in: for speed, as nobody touches
+/// it before.
+std::span<const Box3f> triangle_boxes(MeshView mesh, std::span<std::byte> memory);
 
 /// Asks for the vertices of a triangle some places ahead, as they lie anywhere in memory.
 inline void fetch_vertices_ahead(MeshView mesh, std::size_t face) {

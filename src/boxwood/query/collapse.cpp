@@ -49,7 +49,7 @@ constexpr int kTaskDepth = 8;
 template <int N>
 class Collapser {
 public:
-    Collapser(MeshView mesh, const Tree& tree, float scale, bool compact)
+    Collapser(MeshView mesh, const Tree& tree, float scale = 1, bool compact = false)
         : mesh_(mesh),
           tree_(tree),
           scale_(scale),
@@ -62,12 +62,12 @@ public:
         inverse_area_ = area > 0 ? 1 / area : 0;
     }
 
-    /// Nothing when the tree is too deep.
-    std::optional<Collapsed> run() {
+    /// Nothing when the tree is too deep; then the spare memory is still there.
+    std::optional<Collapsed> run(Arena& spare) {
         if (!plan(0, 0)) return std::nullopt;
         Collapsed result;
         result.cost = root_cost();
-        result.memory = Arena(measure(0));
+        result.memory = taken(spare, measure(0));
         result.stack_size = plans_[0].stack_size;
         memory_ = result.memory.data();
         emit(0, 0);
@@ -113,6 +113,16 @@ private:
     }
 
     float cost(std::uint32_t index, int places) const { return rows_[index].costs[places - 1]; }
+
+    static Arena taken(Arena& spare, std::size_t bytes) {
+        Arena memory = std::move(spare);
+        if (memory.size() < bytes) {
+            memory = {};
+            return Arena(bytes);
+        }
+        memory.shrink(bytes);
+        return memory;
+    }
 
     /// The root is a node, whatever is cheaper.
     double root_cost() const {
@@ -384,17 +394,18 @@ private:
 };
 
 template <int N>
-Collapsed collapse_to(MeshView mesh, const Tree& tree, float scale, bool compact) {
-    if (auto result = Collapser<N>(mesh, tree, scale, compact).run()) return std::move(*result);
+Collapsed collapse_to(MeshView mesh, const Tree& tree, CollapseOptions& options) {
+    if (auto result = Collapser<N>(mesh, tree, options.scale, options.compact).run(options.spare))
+        return std::move(*result);
     const Tree flatter = bound_depth(tree, kDeepest - 32);
-    return std::move(*Collapser<N>(mesh, flatter, scale, compact).run());
+    return std::move(
+        *Collapser<N>(mesh, flatter, options.scale, options.compact).run(options.spare));
 }
 
 template <int N>
 double cost_of(const Tree& tree) {
-    if (const auto cost = Collapser<N>({}, tree, 1, false).cost()) return *cost;
-    const Tree flatter = bound_depth(tree, kDeepest - 32);
-    return *Collapser<N>({}, flatter, 1, false).cost();
+    if (const auto cost = Collapser<N>({}, tree).cost()) return *cost;
+    return *Collapser<N>({}, bound_depth(tree, kDeepest - 32)).cost();
 }
 
 /// Calls function with the width as a type.
@@ -412,9 +423,9 @@ auto with_width(int width, const Function& function) {
 
 }  // namespace
 
-Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact) {
+Collapsed collapse(MeshView mesh, const Tree& tree, CollapseOptions options) {
     if (tree.is_empty()) return {};
-    return with_width(width, [&](auto n) { return collapse_to<n>(mesh, tree, scale, compact); });
+    return with_width(options.width, [&](auto n) { return collapse_to<n>(mesh, tree, options); });
 }
 
 double collapsed_cost(const Tree& tree, int width) {

@@ -20,9 +20,16 @@ struct Collapsed {
     std::vector<std::uint32_t> left_out;
 };
 
-/// Collapses a binary tree to nodes of 4, 8 or 16 children, with all coordinates multiplied by a
-/// power of two, and with compact leaves or not; see WideTree.
-Collapsed collapse(MeshView mesh, const Tree& tree, int width, float scale, bool compact);
+struct CollapseOptions {
+    int width = 16;        ///< 4, 8 or 16 children a node
+    float scale = 1;       ///< a power of two by which all coordinates are multiplied
+    bool compact = false;  ///< leaves hold each vertex once
+    /// Memory that nobody needs any more: the tree is put into it, if it is large enough.
+    Arena spare = {};
+};
+
+/// Collapses a binary tree; see WideTree.
+Collapsed collapse(MeshView mesh, const Tree& tree, CollapseOptions options);
 
 /// The cost that collapse() would tell, in a third of the time.
 double collapsed_cost(const Tree& tree, int width);

@@ -12,7 +12,8 @@ namespace boxwood {
 
 namespace {
 
-WideTreeParts collapsed_parts(MeshView mesh, const Tree& tree, const WideTreeOptions& options) {
+WideTreeParts collapsed_parts(MeshView mesh, const Tree& tree, const WideTreeOptions& options,
+                              Arena spare) {
     WideTreeParts parts;
     parts.instruction_set = options.instruction_set;
     parts.is_compact = options.compact;
@@ -24,8 +25,11 @@ WideTreeParts collapsed_parts(MeshView mesh, const Tree& tree, const WideTreeOpt
     }
     parts.bounds = tree.root().box;
     parts.scale = scale_for(parts.bounds);
-    Collapsed collapsed =
-        collapse(mesh, tree, lanes(options.instruction_set), parts.scale, options.compact);
+    Collapsed collapsed = collapse(mesh, tree,
+                                   {.width = lanes(options.instruction_set),
+                                    .scale = parts.scale,
+                                    .compact = options.compact,
+                                    .spare = std::move(spare)});
     parts.memory = WideMemory(std::move(collapsed.memory));
     parts.stack_size = collapsed.stack_size;
     parts.cost = parts.cost_at_build = collapsed.cost;
@@ -44,8 +48,8 @@ float scale_for(const Box3f& bounds) {
     return std::abs(exponent) <= 40 ? 1 : std::ldexp(1.0f, std::clamp(-exponent, -126, 126));
 }
 
-WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options)
-    : WideTree(collapsed_parts(mesh, tree, options)) {}
+WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options, Arena spare)
+    : WideTree(collapsed_parts(mesh, tree, options, std::move(spare))) {}
 
 WideTree::WideTree(WideTreeParts parts) : parts_(std::move(parts)) {
     view_.memory = parts_.memory.data();

@@ -48,8 +48,10 @@ public:
     WideTree() = default;
     /// Collapses the binary tree so that the expected cost of a ray is least. Triangles with a
     /// corner that isn't finite, or beyond the range of float, are left out. O(n), all cores.
+    /// Memory that nobody needs any more serves for the tree, if it is large enough, else goes.
     /// Preconditions: a valid tree over the mesh's triangles, no leaf of more than `width` of them.
-    WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options = {});
+    WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options = {},
+             Arena spare = {});
 
     explicit WideTree(WideTreeParts parts);
     const WideTreeParts& parts() const { return parts_; }

@@ -112,9 +112,7 @@ void Scene::widen_vertices() {
             continue;
         }
         const auto& mesh = std::get<MeshViewf>(given_[i].geometry);
-        widened[i].resize(mesh.vertices.size());
-        for (std::size_t k = 0; k < mesh.vertices.size(); ++k)
-            widened[i][k] = mesh.vertices[k].cast<double>();
+        widened[i] = in_double(mesh.vertices);
         meshes[i] = {widened[i], mesh.faces};
     }
     for (std::size_t i = 0; i < wide_trees_.size(); ++i) check_refit(wide_trees_[i], meshes[i]);
