@@ -131,6 +131,30 @@ TEST(Runs, what_nothing_hits_glues_nothing_together) {
     expect_boxes_no_larger_than_those_inside(mesh);
 }
 
+TEST(Runs, of_some_triangles_are_those_of_the_mesh_as_far_as_these_go) {
+    const TriangleMesh mesh = flat_grid(32);
+    const std::vector<Box3f> all = triangle_boxes(mesh);
+    for (const std::uint32_t length : {1, 2, 4}) {
+        std::vector<Box3f> boxes;
+        std::vector<std::uint32_t> numbers;
+        std::size_t runs_there = 0;
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            // Some runs whole, some in part, some not at all.
+            if (mix_bits(i / 4) % 3 == 0 || (mix_bits(i / 4) % 3 == 1 && mix_bits(i) % 2 == 0))
+                continue;
+            if (numbers.empty() || numbers.back() / length != i / length) ++runs_there;
+            boxes.push_back(all[i]);
+            numbers.push_back(i);
+        }
+        const TriangleRuns runs(boxes, numbers, length);
+        // What lies on a grid lies together, unless its middle is missing.
+        EXPECT_GE(runs.boxes().size(), runs_there);
+        EXPECT_LE(static_cast<double>(runs.boxes().size()), 1.3 * static_cast<double>(runs_there));
+        const Tree tree = runs.over_triangles(build_block_sah(runs.boxes(), {.block = 16}));
+        EXPECT_EQ(find_fault(tree, boxes), std::nullopt);
+    }
+}
+
 TEST(Runs, are_the_same_for_any_number_of_threads) {
     const TriangleMesh mesh = generate_interior(100'000);
     Tree first;

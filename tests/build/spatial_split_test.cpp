@@ -91,6 +91,9 @@ TEST(SpatialSplit, tree_is_good_for_every_mesh_and_option) {
         expect_good_tree(mesh, {.largest_leaf = 16, .leaf_block = 8});
         expect_good_tree(mesh, {.replication = 4, .least_overlap = 0.01, .block = 16});
         expect_good_tree(mesh, {.largest_leaf = 8, .least_overlap = 1, .block = 4});
+        for (const std::uint32_t run : {2, 4})
+            expect_good_tree(mesh,
+                             {.replication = 4, .least_overlap = 0.01, .block = 16, .run = run});
     }
 }
 
@@ -141,7 +144,7 @@ TEST(SpatialSplit, tree_is_the_same_for_any_number_of_threads) {
     for (const std::size_t threads : {1, 2, 5}) {
         const ThreadLimit limit(threads);
         trees.push_back(build_spatial_split(mesh, {.least_overlap = 0}));
-        trees.push_back(build_spatial_split(mesh, {.least_overlap = 1e-3, .block = 16}));
+        trees.push_back(build_spatial_split(mesh, {.least_overlap = 1e-3, .block = 16, .run = 4}));
     }
     for (std::size_t i = 2; i < trees.size(); ++i)
         EXPECT_TRUE(are_identical(trees[i % 2], trees[i])) << i;
@@ -151,7 +154,7 @@ TEST(SpatialSplit, hits_are_those_of_brute_force_where_all_or_much_is_split) {
     const TriangleMesh mesh = beams(60);
     const Tree all = build_spatial_split(mesh, {.replication = 4, .least_overlap = 0});
     const Tree large =
-        build_spatial_split(mesh, {.replication = 4, .least_overlap = 0.003, .block = 8});
+        build_spatial_split(mesh, {.replication = 4, .least_overlap = 0.003, .block = 8, .run = 2});
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
         const Ray ray = random_ray(mesh, seed);
         const auto expected = closest_hit_brute_force(mesh, ray);

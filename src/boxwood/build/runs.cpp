@@ -46,9 +46,10 @@ inline Measured together(const Measured& a, const Measured& b) {
     return {merged(a.box, b.box), a.area + b.area};
 }
 
+inline Measured measured(const VectorBox& box) { return {box, half_area(box)}; }
+
 inline Measured measured(MeshView mesh, std::size_t triangle) {
-    const VectorBox box = triangle_vector_box(mesh, triangle);
-    return {box, half_area(box)};
+    return measured(triangle_vector_box(mesh, triangle));
 }
 
 }  // namespace
@@ -115,6 +116,36 @@ TriangleRuns::TriangleRuns(MeshView mesh, std::uint32_t length, std::span<std::b
     } else {
         boxes_ = triangle_boxes(mesh, memory);
     }
+}
+
+TriangleRuns::TriangleRuns(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
+                           std::uint32_t length)
+    : triangles_(boxes.size()) {
+    own_boxes_.reserve(boxes.size());
+    runs_.reserve(boxes.size());
+    for (std::uint32_t first = 0, last = 0; first < boxes.size(); first = last) {
+        while (last < boxes.size() && numbers[last] / length == numbers[first] / length) ++last;
+        add(boxes, numbers, first, last, length);
+    }
+    boxes_ = own_boxes_;
+}
+
+/// What lies at [first, last), all of one run in the mesh, as one run or in halves.
+void TriangleRuns::add(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
+                       std::uint32_t first, std::uint32_t last, std::uint32_t length) {
+    Measured all = measured(VectorBox(boxes[first]));
+    for (std::uint32_t i = first + 1; i < last; ++i)
+        all = together(all, measured(VectorBox(boxes[i])));
+    if (last - first == 1 || half_area(all.box) <= all.area) {
+        runs_.push_back({first, last - first});
+        own_boxes_.push_back(all.box.box());
+        return;
+    }
+    const std::uint32_t half = length / 2;
+    std::uint32_t middle = first;
+    while (middle < last && numbers[middle] / half == numbers[first] / half) ++middle;
+    add(boxes, numbers, first, middle, half);
+    if (middle < last) add(boxes, numbers, middle, last, half);
 }
 
 template <std::uint32_t kLength>

@@ -25,6 +25,12 @@ public:
     /// long as boxes() are looked at.
     TriangleRuns(MeshView mesh, std::uint32_t length, std::span<std::byte> memory);
 
+    /// Runs of some triangles, or parts of them, given by their boxes in the order of their numbers
+    /// in the mesh; trees are over places among these. By the thread that calls. Precondition:
+    /// length is 1, 2 or 4.
+    TriangleRuns(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
+                 std::uint32_t length);
+
     /// One for each run: of those of its triangles that have boxes.
     std::span<const Box3f> boxes() const { return boxes_; }
 
@@ -37,10 +43,13 @@ private:
     };
     struct Cutter;
 
+    void add(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
+             std::uint32_t first, std::uint32_t last, std::uint32_t length);
     template <std::uint32_t kLength>
     void make(MeshView mesh, std::span<std::byte> memory);
 
     std::size_t triangles_;
+    std::vector<Box3f> own_boxes_;
     std::span<const Box3f> boxes_;
     std::vector<Run> runs_;  ///< none when each triangle is one
 };

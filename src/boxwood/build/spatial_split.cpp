@@ -21,6 +21,7 @@
 #include "boxwood/build/clip.h"
 #include "boxwood/build/object_split.h"
 #include "boxwood/build/parts.h"
+#include "boxwood/build/runs.h"
 #include "boxwood/build/slots.h"
 #include "boxwood/build/spatial_bins.h"
 #include "boxwood/build/unit_scale.h"
@@ -28,6 +29,7 @@
 #include "boxwood/core/error.h"
 #include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/radix_sort.h"
 
 namespace boxwood {
 
@@ -176,13 +178,23 @@ private:
 
     void build_blocks(std::vector<Node>& nodes, std::uint32_t index, const Range& range,
                       int depth) {
-        std::vector<Box3f> boxes;
-        boxes.reserve(range.count());
-        for (const Reference& reference : references(range)) boxes.push_back(reference.box().box());
-        Tree blocks = build_block_sah(
-            boxes, {.block = options_.block, .deepest_sah_split = kDeepestSahSplit - depth});
+        // In the order of the mesh, in which runs are.
+        std::vector<std::uint64_t> keys(range.count()), sorted(range.count());
         for (std::uint32_t i = 0; i < range.count(); ++i)
-            tree_.order[range.begin + i] = references_[range.begin + blocks.order[i]].primitive();
+            keys[i] = std::uint64_t{references(range)[i].primitive()} << 32 | (range.begin + i);
+        radix_sort(keys, sorted, 32, std::bit_width(mesh_.faces.size()));
+        std::vector<Box3f> boxes(range.count());
+        std::vector<std::uint32_t> triangles(range.count());
+        for (std::uint32_t i = 0; i < range.count(); ++i) {
+            boxes[i] = references_[static_cast<std::uint32_t>(sorted[i])].box().box();
+            triangles[i] = static_cast<std::uint32_t>(sorted[i] >> 32);
+        }
+        const TriangleRuns runs(boxes, triangles, options_.run);
+        Tree blocks = runs.over_triangles(
+            build_block_sah(runs.boxes(), {.block = options_.block / options_.run,
+                                           .deepest_sah_split = kDeepestSahSplit - depth}));
+        for (std::uint32_t i = 0; i < range.count(); ++i)
+            tree_.order[range.begin + i] = triangles[blocks.order[i]];
         const auto offset = static_cast<std::uint32_t>(nodes.size()) - 1;
         for (Node& node : blocks.nodes) node.first += node.is_leaf() ? range.begin : offset;
         nodes[index] = blocks.nodes[0];

@@ -22,6 +22,8 @@ struct SpatialSplitOptions {
     /// Where nothing is that large any more, build_block_sah() goes on, with leaves of up to so
     /// many triangles, which is faster; 0: nowhere.
     std::uint32_t block = 0;
+    /// How many triangles that follow one another it may take for one there; see run_length().
+    std::uint32_t run = 1;
 };
 
 /// The builder for scenes with large triangles among small ones: as binned SAH, but where that

@@ -20,7 +20,7 @@ namespace boxwood {
 namespace {
 
 /// What a tree with split triangles has to save, as it is larger and fits less into the caches.
-constexpr double kWorthSplitting = 0.97;
+constexpr double kWorthSplitting = 0.985;
 /// What is smaller is left to the faster builder: the cost of rays stays within 1 percent of what
 /// it is with a tenth or a twentieth of this, in 0.6 to 0.8 of the time.
 constexpr double kLeastOverlap = 2e-3;
@@ -53,11 +53,13 @@ Tree balanced(MeshView mesh, std::uint32_t width) {
 }
 
 Tree with_splits(MeshView mesh, std::uint32_t width) {
-    // Leaves that half fill a block leave the collapse a choice of where blocks begin.
-    const std::uint32_t leaf = width / 2;
-    Tree tree = build_spatial_split(
-        mesh,
-        {.largest_leaf = leaf, .leaf_block = leaf, .least_overlap = kLeastOverlap, .block = width});
+    // Small leaves leave the collapse a choice of where blocks begin.
+    const std::uint32_t leaf = width / 4;
+    Tree tree = build_spatial_split(mesh, {.largest_leaf = leaf,
+                                           .leaf_block = leaf,
+                                           .least_overlap = kLeastOverlap,
+                                           .block = width,
+                                           .run = run_length(mesh, width)});
     optimize_by_reinsertion(tree);
     return tree;
 }
