@@ -19,8 +19,6 @@ namespace boxwood {
 
 namespace {
 
-/// What a tree with split triangles has to save, as it is larger and fits less into the caches.
-constexpr double kWorthSplitting = 0.985;
 /// What is smaller is left to the faster builder: the cost of rays stays within 1 percent of what
 /// it is with a tenth or a twentieth of this, in 0.6 to 0.8 of the time.
 constexpr double kLeastOverlap = 2e-3;
@@ -79,13 +77,14 @@ bool has_large_triangles(MeshView mesh, const Box3f& bounds) {
         std::logical_or<>());
 }
 
-/// The cost of the wide tree tells which is faster; that of the binary one doesn't.
+/// The cost of the wide tree tells which is faster; that of the binary one doesn't. Where it is
+/// about the same, rays from within a hall are faster with splits.
 Tree best(MeshView mesh, std::uint32_t width) {
     Tree whole = balanced(mesh, width);
     if (whole.is_empty() || !has_large_triangles(mesh, whole.root().box)) return whole;
     Tree split = with_splits(mesh, width);
-    const int lanes = static_cast<int>(width);
-    const bool pays = collapsed_cost(split, lanes) < kWorthSplitting * collapsed_cost(whole, lanes);
+    const int children = static_cast<int>(width);
+    const bool pays = collapsed_cost(split, children) < collapsed_cost(whole, children);
     return pays ? std::move(split) : std::move(whole);
 }
 
