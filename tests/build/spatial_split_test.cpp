@@ -178,6 +178,10 @@ TEST(SpatialSplit, options_out_of_range_are_refused) {
     EXPECT_THROW(build_spatial_split(mesh, {.leaf_block = 3}), InvalidInput);
     for (const double replication : {0.5, 4.5, std::nan("")})
         EXPECT_THROW(build_spatial_split(mesh, {.replication = replication}), InvalidInput);
+    for (const std::uint32_t run : {0, 3, 8})
+        EXPECT_THROW(build_spatial_split(mesh, {.block = 16, .run = run}), InvalidInput);
+    EXPECT_THROW(build_spatial_split(mesh, {.block = 257}), InvalidInput);
+    EXPECT_THROW(build_spatial_split(mesh, {.block = 2, .run = 4}), InvalidInput);
     EXPECT_THROW(build_spatial_split({}, {.largest_leaf = 0}), InvalidInput);
 }
 

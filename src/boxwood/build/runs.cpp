@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explained in docs/algorithms/runs.md.
+// Where triangles that follow one another lie side by side, a builder may take four for one. Runs
+// that lie apart are cut in halves, down to single triangles: one of ten thousand that spans a hall
+// would cost rays more than all others. Explained in docs/algorithms/runs.md.
 #include "boxwood/build/runs.h"
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 
 #include "boxwood/core/huge_pages.h"
 #include "boxwood/core/parallel.h"
+#include "boxwood/core/vector_box.h"
 
 namespace boxwood {
 

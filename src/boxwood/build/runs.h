@@ -30,6 +30,8 @@ public:
     /// length is 1, 2 or 4.
     TriangleRuns(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
                  std::uint32_t length);
+    TriangleRuns(const TriangleRuns&) = delete;
+    TriangleRuns& operator=(const TriangleRuns&) = delete;
 
     /// One for each run: of those of its triangles that have boxes.
     std::span<const Box3f> boxes() const { return boxes_; }

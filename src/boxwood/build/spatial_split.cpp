@@ -54,7 +54,7 @@ struct Halves {
 
 std::size_t most_references(std::size_t triangles, double replication) {
     const double most = std::floor(replication * static_cast<double>(triangles));
-    // Slots of nodes, two a reference, are counted in 32 bits.
+    // Nodes, two a reference, are counted in 32 bits.
     return std::max(triangles, static_cast<std::size_t>(std::min(most, 0x1p30)));
 }
 
@@ -406,6 +406,11 @@ Tree build_spatial_split(MeshView mesh, const SpatialSplitOptions& options) {
         throw InvalidInput(
             "build_spatial_split: expected leaves of at least 1, blocks of a power of two and a "
             "replication of 1 to 4");
+    if (options.run != 1 && options.run != 2 && options.run != 4)
+        throw InvalidInput("build_spatial_split: expected runs of 1, 2 or 4");
+    if (options.block > 256 || (options.block > 0 && options.block < options.run))
+        throw InvalidInput(
+            "build_spatial_split: expected blocks of no less than a run and of up to 256, or of 0");
     if (mesh.faces.empty()) return {};
     return SpatialSplitBuilder(mesh, triangle_boxes(mesh), options).build();
 }
