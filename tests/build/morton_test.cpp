@@ -73,10 +73,21 @@ TEST(Morton, cells_of_few_leaves_leave_all_full_but_one) {
 TEST(Morton, memory_to_sort_in_changes_nothing) {
     const std::vector<Box3f> boxes = random_boxes(10'000, 1);
     const Tree expected = build_morton(boxes);
-    for (const std::size_t bytes : {16 * boxes.size(), 16 * boxes.size() - 1}) {
-        const Arena memory(bytes);
-        EXPECT_TRUE(are_identical(build_morton(boxes, {.scratch = memory.bytes()}), expected));
+    const Arena memory(16 * boxes.size() + 1);
+    const auto is_written = [&] {
+        return std::any_of(memory.bytes().begin(), memory.bytes().end(),
+                           [](std::byte b) { return b != std::byte{0}; });
+    };
+    std::fill(memory.bytes().begin(), memory.bytes().end(), std::byte{0});
+    // Too little, and in the wrong place.
+    for (const auto scratch : {memory.bytes().first(16 * boxes.size() - 1),
+                               memory.bytes().subspan(1, 16 * boxes.size())}) {
+        EXPECT_TRUE(are_identical(build_morton(boxes, {.scratch = scratch}), expected));
+        EXPECT_FALSE(is_written());
     }
+    const auto enough = memory.bytes().first(16 * boxes.size());
+    EXPECT_TRUE(are_identical(build_morton(boxes, {.scratch = enough}), expected));
+    EXPECT_TRUE(is_written());
 }
 
 TEST(Morton, leaves_of_nothing_are_refused) {

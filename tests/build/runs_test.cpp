@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "boxwood/build/block_sah.h"
 #include "boxwood/build/morton.h"
@@ -71,7 +72,7 @@ TEST(Runs, those_that_nothing_hits_are_in_the_tree_and_in_no_box) {
     mesh.vertices.push_back(Vec3d::Constant(1e300));
     const int nan = static_cast<int>(mesh.vertices.size()) - 2;
     for (std::size_t i = 0; i < mesh.faces.size(); i += 3)
-        mesh.faces[i][static_cast<int>(i % 3)] = nan + static_cast<int>(i % 2);
+        mesh.faces[i][static_cast<int>(i / 3 % 3)] = nan + static_cast<int>(i % 2);
     for (const std::uint32_t length : {2, 4}) {
         const Tree tree = built_over_runs(mesh, length, 16);
         ASSERT_EQ(find_fault(tree, triangle_boxes(mesh)), std::nullopt);
@@ -107,13 +108,38 @@ TEST(Runs, pairs_are_taken_where_every_other_two_lie_apart) {
     EXPECT_EQ(run_length(mesh, 16), 2u);
 }
 
+/// Of each run, which a tree with a leaf for each tells.
 void expect_boxes_no_larger_than_those_inside(const TriangleMesh& mesh) {
-    double of_each = 0, of_runs = 0;
-    for (const Box3f& box : triangle_boxes(mesh)) of_each += box.surface_area();
+    const std::vector<Box3f> boxes = triangle_boxes(mesh);
     const Arena memory = memory_for(mesh);
     const TriangleRuns runs(mesh, 4, memory.bytes());
-    for (const Box3f& box : runs.boxes()) of_runs += box.surface_area();
-    EXPECT_LE(of_runs, of_each * (1 + 1e-6));
+    const Tree tree = runs.over_triangles(build_block_sah(runs.boxes(), {.block = 1}));
+    for (const Node& node : tree.nodes) {
+        if (!node.is_leaf()) continue;
+        double of_each = 0;
+        for (const std::uint32_t i : tree.primitives(node)) of_each += boxes[i].surface_area();
+        EXPECT_LE(node.box.surface_area(), of_each * (1 + 1e-6));
+    }
+}
+
+TEST(Runs, fours_whose_pairs_lie_apart_are_none) {
+    TriangleMesh mesh;
+    for (int row = 0; row < 4096; ++row) {
+        for (const int x : {0, 2, 1, 3}) {
+            const int first = static_cast<int>(mesh.vertices.size());
+            for (const Vec3d& corner : {Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)})
+                mesh.vertices.push_back(corner + Vec3d(x, 2 * row, 0));
+            mesh.faces.emplace_back(first, first + 1, first + 2);
+        }
+    }
+    EXPECT_EQ(run_length(mesh, 16), 1u);
+    const Arena memory = memory_for(mesh);
+    const TriangleRuns of_mesh(mesh, 4, memory.bytes());
+    std::vector<std::uint32_t> numbers(mesh.faces.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    const std::vector<Box3f> boxes = triangle_boxes(mesh);
+    EXPECT_EQ(of_mesh.boxes().size(), mesh.faces.size());
+    EXPECT_EQ(TriangleRuns(boxes, numbers, 4).boxes().size(), mesh.faces.size());
 }
 
 TEST(Runs, no_box_is_larger_than_those_inside) {
@@ -121,6 +147,14 @@ TEST(Runs, no_box_is_larger_than_those_inside) {
         SCOPED_TRACE(family.name);
         expect_boxes_no_larger_than_those_inside(family.make());
     }
+}
+
+TEST(Runs, no_box_is_larger_where_floats_end) {
+    TriangleMesh mesh;
+    mesh.vertices = {{-2e38, 0, 0},      {2e38, 1e30, 0},      {0, 1e30, 1e30},
+                     {3e38, 3e38, 3e38}, {2.9e38, 3e38, 3e38}, {3e38, 2.9e38, 3e38}};
+    mesh.faces = {{0, 1, 2}, {3, 4, 5}, {4, 5, 3}, {5, 3, 4}};
+    expect_boxes_no_larger_than_those_inside(mesh);
 }
 
 TEST(Runs, what_nothing_hits_glues_nothing_together) {

@@ -132,6 +132,7 @@ TEST(SpatialSplit, small_parts_are_those_of_block_sah) {
     const SpatialSplitOptions options = {.least_overlap = 1e-3, .block = 16};
     const Tree tree = build_spatial_split(mesh, options);
     EXPECT_GT(tree.order.size(), mesh.faces.size());
+    EXPECT_GT(statistics(tree).largest_leaf, options.largest_leaf);
     // Where all is small nothing is left to split.
     const TriangleMesh knot = generate_torus_knot(5000);
     EXPECT_TRUE(are_identical(build_spatial_split(knot, {.least_overlap = 1, .block = 16}),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -11,6 +12,8 @@
 #include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/certified_hits.h"
+#include "boxwood/query/wide_fault.h"
+#include "boxwood/query/write_block.h"
 
 namespace boxwood {
 namespace {
@@ -121,6 +124,25 @@ TEST(Refit, nothing_finite_left_is_an_empty_tree_until_it_is_back) {
     refit(tree, mesh);
     EXPECT_FALSE(tree.is_empty());
     EXPECT_TRUE(closest_hit(mesh, tree, {.origin = {0, 0, 3}, .direction = {0, 0, -1}}));
+}
+
+TEST(Refit, leaf_without_triangles_stays_empty) {
+    // As a file may have it.
+    const TriangleMesh mesh = generate_soup(1);
+    WideTree tree(mesh, build_block_sah(mesh), {.instruction_set = InstructionSet::scalar});
+    WideTreeParts parts = tree.release();
+    std::byte* memory = parts.memory.writable();
+    const auto& root = *reinterpret_cast<const WideNode<4>*>(memory);
+    auto& block = *reinterpret_cast<TriangleBlock<4>*>(memory + byte_offset(root.child[0]));
+    std::fill_n(&block.corner[0][0][0], 36, std::nanf(""));
+    std::fill_n(block.triangle, 4, kEmptySlot);
+    parts.left_out = {0};
+    ASSERT_EQ(find_fault(parts), std::nullopt);
+    WideTree emptied(std::move(parts));
+    TriangleMesh flawed = mesh;
+    flawed.vertices[0].x() = std::nan("");
+    refit(emptied, flawed);
+    EXPECT_TRUE(emptied.bounds().is_empty());
 }
 
 TEST(Refit, empty_mesh_stays_empty) {

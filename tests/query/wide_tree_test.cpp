@@ -37,13 +37,22 @@ INSTANTIATE_TEST_SUITE_P(Sets, WideTreeMemory,
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(WideTree, memory_that_is_spare_changes_nothing) {
-    const TriangleMesh mesh = generate_gyroid(20'000);
+    const TriangleMesh mesh = generate_gyroid(5000);
     const Tree tree = build_block_sah(mesh, {.block = 4});
-    const WideTree expected(mesh, tree);
-    for (const std::size_t bytes : {expected.bytes() - 1, expected.bytes(), 3 * expected.bytes()}) {
-        const WideTree wide(mesh, tree, {}, Arena(bytes));
-        ASSERT_EQ(wide.bytes(), expected.bytes());
-        EXPECT_EQ(std::memcmp(wide.view().memory, expected.view().memory, wide.bytes()), 0);
+    for (const auto& set : instruction_sets()) {
+        for (const bool compact : {false, true}) {
+            const WideTreeOptions options = {.instruction_set = set.value, .compact = compact};
+            const WideTree expected(mesh, tree, options);
+            for (const std::size_t bytes :
+                 {expected.bytes() - 1, expected.bytes(), 3 * expected.bytes()}) {
+                Arena spare(bytes);
+                std::memset(spare.data(), 0xff, bytes);
+                const WideTree wide(mesh, tree, options, std::move(spare));
+                ASSERT_EQ(wide.bytes(), expected.bytes());
+                EXPECT_EQ(std::memcmp(wide.view().memory, expected.view().memory, wide.bytes()), 0)
+                    << set.name << compact;
+            }
+        }
     }
 }
 

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <vector>
+
+#include "boxwood/core/parallel.h"
 #include "boxwood/mesh/generate.h"
 #include "boxwood/query/collapse.h"
 #include "boxwood/tree/validate.h"
+#include "cases.h"
 #include "laws/hits.h"
 #include "laws/mesh_families.h"
 
@@ -54,6 +59,26 @@ TEST(BuildPreset, best_is_cheaper_in_halls_and_dearer_nowhere) {
     for (const MeshFamily& family : mesh_families()) {
         const TriangleMesh mesh = family.make();
         EXPECT_LE(cost(mesh, BuildPreset::best), cost(mesh, BuildPreset::balanced)) << family.name;
+    }
+}
+
+TEST(BuildPreset, trees_are_the_same_for_any_number_of_threads) {
+    for (const TriangleMesh& mesh :
+         {generate_stadium(cases(50'000)), generate_gyroid(cases(50'000))}) {
+        for (const auto& preset : build_presets()) {
+            std::vector<BuiltTree> built;
+            for (const std::size_t threads : {1, 2, 5}) {
+                const ThreadLimit limit(threads);
+                built.push_back(build_preset(mesh, {.preset = preset.value}));
+                const BuiltTree &first = built.front(), &last = built.back();
+                EXPECT_TRUE(are_identical(first.tree, last.tree)) << preset.name << threads;
+                ASSERT_EQ(first.wide.bytes(), last.wide.bytes()) << preset.name << threads;
+                EXPECT_EQ(std::memcmp(first.wide.view().memory, last.wide.view().memory,
+                                      first.wide.bytes()),
+                          0)
+                    << preset.name << threads;
+            }
+        }
     }
 }
 

@@ -75,7 +75,8 @@ public:
             root.right = std::make_unique<TreePart>();
             build_hidden(root.right->nodes, 0, all_.end, tree_.order.size());
             if (all_.count() == 0) {
-                root = std::move(*root.right);
+                TreePart hidden = std::move(*root.right);
+                root = std::move(hidden);
             } else {
                 root.left = std::make_unique<TreePart>();
                 build_part(*root.left, all_, 1);

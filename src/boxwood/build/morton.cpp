@@ -77,7 +77,8 @@ public:
 
 private:
     bool is_enough(std::span<std::byte> scratch) const {
-        return scratch.size() >= 2 * boxes_.size() * sizeof(MortonKey);
+        return scratch.size() >= 2 * boxes_.size() * sizeof(MortonKey) &&
+               reinterpret_cast<std::uintptr_t>(scratch.data()) % alignof(MortonKey) == 0;
     }
 
     void split_into_subtrees(std::uint32_t index, const Range& range) {

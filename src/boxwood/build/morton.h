@@ -14,7 +14,8 @@ struct MortonOptions {
     /// Cells of few leaves are cut where that leaves full ones: a quarter less memory, for rays
     /// that take a little longer.
     bool full_leaves = false;
-    /// Memory to sort in, if it has 16 bytes a primitive; else the builder takes some.
+    /// Memory to sort in, if it has 16 bytes a primitive and is aligned to 8; else the builder
+    /// takes some.
     std::span<std::byte> scratch = {};
 };
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "boxwood/core/huge_pages.h"
@@ -32,11 +33,11 @@ struct Measured {
     double area;  ///< of the boxes of its triangles, halved
 };
 
-/// In double, as products of floats may be too small for float, and too large.
+/// In double, as extents may be too large for float, and their products too small.
 inline double half_area(const VectorBox& box) {
     if (!(box.lo[0] <= box.hi[0])) return 0;
-    const Float4 extent = box.hi - box.lo;
-    const double x = extent[0], y = extent[1], z = extent[3];
+    const auto extent = [&](int lane) { return double{box.hi[lane]} - double{box.lo[lane]}; };
+    const double x = extent(0), y = extent(1), z = extent(3);
     return x * y + (x + y) * z;
 }
 
@@ -63,12 +64,15 @@ std::uint32_t run_length(MeshView mesh, std::uint32_t longest) {
     for (std::size_t s = 0; s < samples; ++s) {
         const std::size_t first = s * runs / samples * kLongest;
         Measured pairs[2];
+        bool is_apart = false;
         for (std::size_t i = 0; i < 2; ++i) {
             const Measured a = measured(mesh, first + 2 * i), b = measured(mesh, first + 2 * i + 1);
-            pairs_apart += !lie_together(a, b);
+            const bool is_pair_apart = !lie_together(a, b);
+            pairs_apart += is_pair_apart;
+            is_apart |= is_pair_apart;
             pairs[i] = together(a, b);
         }
-        fours_apart += !lie_together(pairs[0], pairs[1]);
+        fours_apart += is_apart || !lie_together(pairs[0], pairs[1]);
     }
     const auto few = [&](std::size_t apart, std::size_t count) {
         return static_cast<double>(apart) < kFewApart * static_cast<double>(count);
@@ -136,19 +140,30 @@ TriangleRuns::TriangleRuns(std::span<const Box3f> boxes, std::span<const std::ui
 /// What lies at [first, last), all of one run in the mesh, as one run or in halves.
 void TriangleRuns::add(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
                        std::uint32_t first, std::uint32_t last, std::uint32_t length) {
-    Measured all = measured(VectorBox(boxes[first]));
-    for (std::uint32_t i = first + 1; i < last; ++i)
-        all = together(all, measured(VectorBox(boxes[i])));
-    if (last - first == 1 || half_area(all.box) <= all.area) {
+    const auto middle_of = [&](std::uint32_t begin, std::uint32_t end, std::uint32_t half) {
+        std::uint32_t middle = begin;
+        while (middle < end && numbers[middle] / half == numbers[begin] / half) ++middle;
+        return middle;
+    };
+    // As Cutter: whole where the halves are, and lie together.
+    const auto whole = [&](const auto& self, std::uint32_t begin, std::uint32_t end,
+                           std::uint32_t size) -> std::optional<Measured> {
+        if (end - begin == 1) return measured(VectorBox(boxes[begin]));
+        const std::uint32_t middle = middle_of(begin, end, size / 2);
+        if (middle == end) return self(self, begin, end, size / 2);
+        const auto left = self(self, begin, middle, size / 2);
+        const auto right = self(self, middle, end, size / 2);
+        if (!left || !right || !lie_together(*left, *right)) return std::nullopt;
+        return together(*left, *right);
+    };
+    if (const auto all = whole(whole, first, last, length)) {
         runs_.push_back({first, last - first});
-        own_boxes_.push_back(all.box.box());
+        own_boxes_.push_back(all->box.box());
         return;
     }
-    const std::uint32_t half = length / 2;
-    std::uint32_t middle = first;
-    while (middle < last && numbers[middle] / half == numbers[first] / half) ++middle;
-    add(boxes, numbers, first, middle, half);
-    if (middle < last) add(boxes, numbers, middle, last, half);
+    const std::uint32_t middle = middle_of(first, last, length / 2);
+    add(boxes, numbers, first, middle, length / 2);
+    if (middle < last) add(boxes, numbers, middle, last, length / 2);
 }
 
 template <std::uint32_t kLength>

@@ -21,13 +21,13 @@ std::uint32_t run_length(MeshView mesh, std::uint32_t longest);
 /// shorter ones, down to single triangles. The same for any number of threads. O(n), all cores.
 class TriangleRuns {
 public:
-    /// Preconditions: length is 1, 2 or 4; memory for a box a triangle, which is nobody else's as
-    /// long as boxes() are looked at.
+    /// Preconditions: length is 1, 2 or 4; memory for a box a triangle, aligned as those are, which
+    /// is nobody else's as long as boxes() are looked at.
     TriangleRuns(MeshView mesh, std::uint32_t length, std::span<std::byte> memory);
 
-    /// Runs of some triangles, or parts of them, given by their boxes in the order of their numbers
-    /// in the mesh; trees are over places among these. By the thread that calls. Precondition:
-    /// length is 1, 2 or 4.
+    /// Runs of some triangles, or parts of them, given by their boxes and their numbers in the
+    /// mesh; over_triangles() then gives places in these spans, not numbers. By the thread that
+    /// calls. Preconditions: length is 1, 2 or 4; numbers ascend, none is there twice.
     TriangleRuns(std::span<const Box3f> boxes, std::span<const std::uint32_t> numbers,
                  std::uint32_t length);
     TriangleRuns(const TriangleRuns&) = delete;

@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "boxwood/core/box.h"
-#include "boxwood/core/double2.h"
 #include "boxwood/core/float_bits.h"
 #include "boxwood/core/vec.h"
 #include "boxwood/core/vector_box.h"
+#include "boxwood/core/vectors.h"
 
 namespace boxwood {
 
@@ -29,7 +29,7 @@ inline float rounded_up(double x) {
     return float_of(static_cast<std::uint32_t>(bits + (one_up & -std::int32_t{nearest < x})));
 }
 
-/// A point as two vectors: no fourth number beside it is touched.
+/// A point as two vectors, (x, y) and (y, z), since a vector of four would reach beyond it.
 struct Pairs {
     Double2 xy, yz;
 
@@ -61,15 +61,13 @@ inline Float4 rounded(const Pairs& p, int step) {
 }
 
 /// The smallest float box that contains the corners lo and hi. Empty, so that no query ever visits
-/// it, when a coordinate is NaN, infinite or beyond the range of float, or one of trouble is no
-/// finite number.
-inline VectorBox rounded_outward(const Pairs& lo, const Pairs& hi, const Pairs& trouble) {
+/// it, when a coordinate is NaN, infinite or beyond the range of float, or must_be_finite isn't.
+inline VectorBox rounded_outward(const Pairs& lo, const Pairs& hi, const Pairs& must_be_finite) {
     const Float4 down = rounded(lo, -1), up = rounded(hi, 1);
     // Zero, or NaN where something isn't finite.
     const Float4 of_box = 0 * down + 0 * up;
-    const Double2 of_trouble = 0 * trouble.xy + 0 * trouble.yz;
-    if (!(double{of_box[0] + of_box[1] + of_box[3]} + (of_trouble[0] + of_trouble[1]) == 0))
-        return {};
+    const Double2 of_rest = 0 * must_be_finite.xy + 0 * must_be_finite.yz;
+    if (!(double{of_box[0] + of_box[1] + of_box[3]} + (of_rest[0] + of_rest[1]) == 0)) return {};
     return {down, up};
 }
 

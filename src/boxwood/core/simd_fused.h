@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "boxwood/core/double2.h"
 #include "boxwood/core/simd.h"
+#include "boxwood/core/vectors.h"
 
 namespace boxwood {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "boxwood/core/box.h"
-#include "boxwood/core/double2.h"
+#include "boxwood/core/vectors.h"
 
 namespace boxwood {
 

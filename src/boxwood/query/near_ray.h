@@ -12,10 +12,10 @@
 #include <limits>
 
 #include "boxwood/core/box.h"
-#include "boxwood/core/double2.h"
 #include "boxwood/core/float_bits.h"
 #include "boxwood/core/ray.h"
 #include "boxwood/core/round_outward.h"
+#include "boxwood/core/vectors.h"
 #include "boxwood/mesh/placed_mesh.h"
 #include "boxwood/query/kernels/ray_kernels.h"
 #include "boxwood/query/wide_tree.h"

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "boxwood/core/double2.h"
 #include "boxwood/core/simd.h"
+#include "boxwood/core/vectors.h"
 #include "boxwood/query/rayf.h"
 
 namespace boxwood {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 
-#include "boxwood/core/double2.h"
+#include "boxwood/core/vectors.h"
 #include "boxwood/mesh/triangle_mesh.h"
 #include "boxwood/query/wide_node.h"
 
@@ -87,8 +87,8 @@ bool write_block(const MeshView& mesh, float scale, const BlockTriangles<N>& tri
     for (int i = 0; i < N; i += 4) {
         // Where there are fewer than four, the last one stands in for those that are missing.
         const Int4 is_there = Int4{0, 1, 2, 3} + i < triangles.count;
-        std::array<const Vec3i*, 4> faces;
-        for (int j = 0; j < 4; ++j)
+        std::array<const Vec3i*, 4> faces = {};
+        for (int j = 0; j < 4 && i < triangles.count; ++j)
             faces[j] = &mesh.faces[triangles.index[std::min(i + j, triangles.count - 1)]];
         for (int corner = 0; corner < 3; ++corner) {
             std::array<Float4, 3> rows = {Float4{} + kNaN, Float4{} + kNaN, Float4{} + kNaN};

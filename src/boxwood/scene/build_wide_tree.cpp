@@ -23,8 +23,9 @@ namespace {
 /// it is with a tenth or a twentieth of this, in 0.6 to 0.8 of the time.
 constexpr double kLeastOverlap = 2e-3;
 
-/// What a triangle takes in a fast tree, which is more than its box and two keys to sort by: the
-/// same memory serves for both, as to touch it for the first time is a quarter of the build.
+/// A guess from above at what a triangle takes in a fast tree, which is more than its box and two
+/// keys to sort by: the same memory serves for both, as to touch it for the first time is a quarter
+/// of the build. What isn't touched stays reserved, not used.
 constexpr std::size_t kFastBytes = 72;
 
 Tree fast(MeshView mesh, std::uint32_t width, std::span<std::byte> memory) {
@@ -77,8 +78,7 @@ bool has_large_triangles(MeshView mesh, const Box3f& bounds) {
         std::logical_or<>());
 }
 
-/// The cost of the wide tree tells which is faster; that of the binary one doesn't. Where it is
-/// about the same, rays from within a hall are faster with splits.
+/// The cost of the wide tree tells which is faster; that of the binary one doesn't.
 Tree best(MeshView mesh, std::uint32_t width) {
     Tree whole = balanced(mesh, width);
     if (whole.is_empty() || !has_large_triangles(mesh, whole.root().box)) return whole;
