@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boxwood/core/ray_box.h"
-#include "boxwood/core/round_outward.h"
 
 #include <gtest/gtest.h>
 
 #include <cfloat>
 #include <cmath>
 
+#include "boxwood/core/round_outward.h"
 #include "laws/random.h"
 
 namespace boxwood {
