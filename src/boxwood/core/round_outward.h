@@ -37,7 +37,7 @@ struct Pairs {
         std::memcpy(&xy, &p[0], sizeof xy);
         std::memcpy(&yz, &p[1], sizeof yz);
     }
-    Pairs(const Double2& xy_, const Double2& yz_) : xy(xy_), yz(yz_) {}
+    Pairs(const Double2& first, const Double2& last) : xy(first), yz(last) {}
 
     Pairs min(const Pairs& b) const { return {xy < b.xy ? xy : b.xy, yz < b.yz ? yz : b.yz}; }
     Pairs max(const Pairs& b) const { return {xy > b.xy ? xy : b.xy, yz > b.yz ? yz : b.yz}; }

@@ -16,7 +16,7 @@ struct VectorBox {
     Float4 hi = Float4{} - std::numeric_limits<float>::infinity();
 
     VectorBox() = default;
-    VectorBox(const Float4& lo_, const Float4& hi_) : lo(lo_), hi(hi_) {}
+    VectorBox(const Float4& lower, const Float4& upper) : lo(lower), hi(upper) {}
     explicit VectorBox(const Box3f& box) {
         static_assert(sizeof(Box3f) == 24 && offsetof(Box3f, lo) == 0 && offsetof(Box3f, hi) == 12);
         Float4 first, last;
