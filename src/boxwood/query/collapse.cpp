@@ -83,7 +83,7 @@ private:
 
     /// The bytes of the wide subtree.
     std::size_t measure(std::uint32_t index) {
-        plan_.open(index, [&](std::uint32_t child) { leave_out_below(child); });
+        plan_.choose_children(index, [&](std::uint32_t child) { leave_out_below(child); });
         const auto children = plan_.children(index);
         for_each_child(index, [&](std::size_t i) {
             if (!plan_.is_leaf(children[i])) {

@@ -53,12 +53,12 @@ public:
     bool is_leaf(std::uint32_t index) const { return states_[index].is_leaf; }
     std::uint32_t triangles(std::uint32_t index) const { return states_[index].triangles; }
 
-    /// Decides on the children of the wide node that stands for this one, by their area, and calls
+    /// Chooses the children of the wide node that stands for this one, by their area, and calls
     /// leave_out(index) for what nothing hits and needs no place. Afterwards nobody may ask for the
     /// children of a node above it. The root is a node even when all of the tree fits into a block,
     /// which then is its child.
     template <class LeaveOut>
-    void open(std::uint32_t index, const LeaveOut& leave_out) {
+    void choose_children(std::uint32_t index, const LeaveOut& leave_out) {
         Children opened;
         if (states_[index].is_leaf) {
             opened.add(index);
@@ -86,7 +86,7 @@ public:
         states_[index].children = static_cast<std::uint8_t>(children.count);
     }
 
-    /// Precondition: the node was opened.
+    /// Precondition: they were chosen.
     std::span<const std::uint32_t> children(std::uint32_t index) const {
         return {rows_[index].children, states_[index].children};
     }
@@ -107,7 +107,7 @@ private:
 
     struct State {
         std::uint32_t triangles;
-        std::uint8_t children;  ///< once it is opened
+        std::uint8_t children;  ///< once they are chosen
         std::uint8_t places;    ///< that it can use at most
         bool is_leaf;
     };
