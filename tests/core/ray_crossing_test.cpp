@@ -79,8 +79,8 @@ TEST(RayCrossing, a_fold_is_crossed_twice_or_not_at_all) {
         const Vec3d aside(-std::sin(angle), std::cos(angle), 0);
         const ShearedRay ray({.origin = {0, 0, 1}, .direction = {0, 0, -1}});
         const Vec3d up = aside + Vec3d(0, 0, 0.5), down = aside - Vec3d(0, 0, 0.5);
-        const int count = crossing(ray, -along, along, up, 0, kInfinity).has_value() +
-                          crossing(ray, along, -along, down, 0, kInfinity).has_value();
+        const int count = crossing<Vec3d>(ray, -along, along, up, 0, kInfinity).has_value() +
+                          crossing<Vec3d>(ray, along, -along, down, 0, kInfinity).has_value();
         EXPECT_TRUE(count == 0 || count == 2) << turn;
         total += count;
     }

@@ -8,6 +8,7 @@
 
 #include "boxwood/mesh/generate.h"
 #include "laws/random.h"
+#include "rounded_to_float.h"
 
 namespace boxwood {
 
@@ -222,6 +223,16 @@ TriangleMesh far_along_one_axis() { return moved(icosphere(), 1, {0, 1e8, 0}); }
 TriangleMesh subnormal() { return moved(soup(), 1e-41, Vec3d::Zero()); }
 TriangleMesh largest_floats() { return moved(soup(), 3e38, Vec3d::Zero()); }
 
+// As most files have them: leaves of trees then hold the very same corners.
+TriangleMesh in_float(TriangleMesh mesh) {
+    mesh.vertices = rounded_to_float(mesh.vertices);
+    return mesh;
+}
+TriangleMesh soup_in_float() { return in_float(soup()); }
+TriangleMesh needles_in_float() { return in_float(needles()); }
+TriangleMesh far_away_in_float() { return in_float(moved(torus_knot(), 1, {0, 1e5, 0})); }
+TriangleMesh bad_vertices_in_float() { return in_float(with_bad_vertices()); }
+
 }  // namespace
 
 TriangleMesh flat_grid(int n) {
@@ -312,6 +323,10 @@ const std::vector<MeshFamily>& mesh_families() {
         {"far_along_one_axis", far_along_one_axis},
         {"subnormal", subnormal},
         {"largest_floats", largest_floats},
+        {"soup_in_float", soup_in_float},
+        {"needles_in_float", needles_in_float},
+        {"far_away_in_float", far_away_in_float},
+        {"bad_vertices_in_float", bad_vertices_in_float},
     };
     return kFamilies;
 }

@@ -24,6 +24,7 @@
 #include "laws/mesh_families.h"
 #include "laws/random.h"
 #include "laws/ray_families.h"
+#include "rounded_to_float.h"
 
 namespace boxwood {
 namespace {
@@ -58,6 +59,8 @@ constexpr Move kMoves[] = {
      [](const Vec3d&, Random&) -> Vec3d {
          return {1, 2, 3};
      }},
+    {"to floats",
+     [](const Vec3d& p, Random&) -> Vec3d { return rounded_to_float(std::span(&p, 1))[0]; }},
     {"back", [](const Vec3d& p, Random&) { return p; }},
 };
 

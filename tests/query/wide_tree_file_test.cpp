@@ -22,6 +22,7 @@
 #include "laws/mesh_families.h"
 #include "laws/random.h"
 #include "laws/ray_families.h"
+#include "rounded_to_float.h"
 #include "temp_dir.h"
 
 namespace boxwood {
@@ -73,11 +74,24 @@ TEST_F(WideTreeFile, opens_as_it_was_saved) {
         EXPECT_EQ(std::memcmp(opened.view().memory, tree_.view().memory, tree_.bytes()), 0);
         EXPECT_EQ(opened.bounds(), tree_.bounds());
         EXPECT_EQ(opened.scale(), tree_.scale());
+        EXPECT_FALSE(opened.has_exact_corners());
         EXPECT_EQ(opened.cost(), tree_.cost());
         EXPECT_EQ(opened.instruction_set(), tree_.instruction_set());
         EXPECT_EQ(opened.view().stack_size, tree_.view().stack_size);
         EXPECT_EQ(opened.parts().left_out, tree_.parts().left_out);
         EXPECT_FALSE(opened.parts().left_out.empty());
+    }
+}
+
+TEST_F(WideTreeFile, tells_whether_corners_are_exact) {
+    mesh_.vertices = rounded_to_float(mesh_.vertices);
+    for (const bool compact : {false, true}) {
+        save_wide_tree(tree_over(mesh_, {.compact = compact}), mesh_, path_);
+        for (const bool trust : {false, true}) {
+            const WideTree opened = open_wide_tree(path_, mesh_, {.trust = trust});
+            EXPECT_TRUE(opened.has_exact_corners());
+            EXPECT_EQ(opened.is_compact(), compact);
+        }
     }
 }
 
@@ -246,7 +260,7 @@ TEST_F(WideTreeFile, values_that_no_tree_has_are_refused) {
     EXPECT_EQ(error_after(16, 32),
               "InvalidInput " + (dir_ / "changed").string() +
                   ": found 32 children a node, expected a width that this machine can walk");
-    EXPECT_EQ(error_after(20, 2),
+    EXPECT_EQ(error_after(20, 4),
               expected(":byte 16: found values out of range, expected a tree's"));
     EXPECT_EQ(error_after(24, 5000),
               expected(":byte 16: found values out of range, expected a tree's"));

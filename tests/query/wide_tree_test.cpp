@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "boxwood/build/block_sah.h"
 #include "boxwood/mesh/generate.h"
+#include "rounded_to_float.h"
 
 namespace boxwood {
 namespace {
@@ -54,6 +57,27 @@ TEST(WideTree, memory_that_is_spare_changes_nothing) {
             }
         }
     }
+}
+
+TEST(WideTree, has_exact_corners_where_all_vertices_are_floats) {
+    const auto has = [](const TriangleMesh& mesh) {
+        return WideTree(mesh, build_block_sah(mesh, {.block = 4})).has_exact_corners();
+    };
+    TriangleMesh mesh = generate_gyroid(5000);
+    EXPECT_FALSE(has(mesh));
+    mesh.vertices = rounded_to_float(mesh.vertices);
+    EXPECT_TRUE(has(mesh));
+    // What isn't finite is hit by nothing.
+    Vec3d& last = mesh.vertices.back();
+    last = {std::nan(""), std::numeric_limits<double>::infinity(), 1};
+    EXPECT_TRUE(has(mesh));
+    for (const double x : {1e39, 1e-50, 0.1, 1 + 0x1p-40}) {
+        last = {0, x, 0};
+        EXPECT_FALSE(has(mesh)) << x;
+    }
+    last = {0, 0, 0};
+    for (Vec3d& vertex : mesh.vertices) vertex *= 0x1p60;
+    EXPECT_FALSE(has(mesh)) << "it is scaled";
 }
 
 TEST(WideTree, over_nothing_is_empty) {

@@ -26,7 +26,8 @@ inline int side_of_edge(double px, double py, double qx, double qy) {
 
 /// Whether the ray that is moved aside goes through the triangle. Never where the ray sees it
 /// edge-on, exactly so after the shear: a triangle without area has no inside.
-inline bool goes_through(const ShearedRay& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+template <class Point = Vec3d>
+bool goes_through(const ShearedRay& ray, const Point& a, const Point& b, const Point& c) {
     const double ax = ray.x(a), bx = ray.x(b), cx = ray.x(c);
     const double ay = ray.y(a), by = ray.y(b), cy = ray.y(c);
     const int side = side_of_edge(cx, cy, bx, by);
@@ -37,8 +38,9 @@ inline bool goes_through(const ShearedRay& ray, const Vec3d& a, const Vec3d& b, 
 /// The hit of intersect() where the ray goes through the triangle; nothing where it only touches an
 /// edge or a vertex whose crossing, if there is one, belongs to a neighbour. Of the triangles about
 /// an edge or a vertex of a closed mesh, an even number is crossed on each whole line.
-inline std::optional<TriangleHit> crossing(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
-                                           const Vec3d& c, double t_min, double t_max) {
+template <class Point = Vec3d>
+std::optional<TriangleHit> crossing(const ShearedRay& ray, const Point& a, const Point& b,
+                                    const Point& c, double t_min, double t_max) {
     const auto hit = intersect(ray, a, b, c, t_min, t_max);
     if (!hit || !goes_through(ray, a, b, c)) return std::nullopt;
     return hit;

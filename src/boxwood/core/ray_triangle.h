@@ -46,10 +46,19 @@ struct ShearedRay : ShearAxes {
           sy(ray.direction[ky] / ray.direction[kz]),
           sz(1 / ray.direction[kz]) {}
 
-    // The coordinates of a vertex in the sheared space.
-    double x(const Vec3d& p) const { return (p[kx] - origin[kx]) - sx * (p[kz] - origin[kz]); }
-    double y(const Vec3d& p) const { return (p[ky] - origin[ky]) - sy * (p[kz] - origin[kz]); }
-    double z(const Vec3d& p) const { return sz * (p[kz] - origin[kz]); }
+    // The coordinates of a vertex in the sheared space; p[k] is one that it has.
+    template <class Point>
+    double x(const Point& p) const {
+        return (p[kx] - origin[kx]) - sx * (p[kz] - origin[kz]);
+    }
+    template <class Point>
+    double y(const Point& p) const {
+        return (p[ky] - origin[ky]) - sy * (p[kz] - origin[kz]);
+    }
+    template <class Point>
+    double z(const Point& p) const {
+        return sz * (p[kz] - origin[kz]);
+    }
 };
 
 /// a * b - c * d with an error of at most 1.5 units in the last place, so with its exact sign.
@@ -74,12 +83,49 @@ struct TriangleHit {
     bool from_front;  ///< the ray comes from where a, b, c turn counter-clockwise
 };
 
+/// A triangle in the sheared space, where the ray is 0 in x and in y.
+struct ShearedTriangle {
+    double ax, ay, az, bx, by, bz, cx, cy, cz;
+    double at_a, at_b, at_c;  ///< edge functions: the weights of the corners, but for their sum
+    double least, most;       ///< of these
+
+    template <class Point>
+    ShearedTriangle(const ShearedRay& ray, const Point& a, const Point& b, const Point& c)
+        : ax(ray.x(a)),
+          ay(ray.y(a)),
+          az(ray.z(a)),
+          bx(ray.x(b)),
+          by(ray.y(b)),
+          bz(ray.z(b)),
+          cx(ray.x(c)),
+          cy(ray.y(c)),
+          cz(ray.z(c)),
+          at_a(difference_of_products(cx, by, cy, bx)),
+          at_b(difference_of_products(ax, cy, ay, cx)),
+          at_c(difference_of_products(bx, ay, by, ax)),
+          least(std::min(std::min(at_a, at_b), at_c)),
+          most(std::max(std::max(at_a, at_b), at_c)) {}
+
+    double determinant() const { return at_a + at_b + at_c; }
+
+    /// Where the ray meets it, given that it does. Nothing where a coordinate is NaN.
+    std::optional<TriangleHit> hit(double t_min, double t_max) const {
+        const double sum = determinant();
+        // The weights have one sign, so this is a mean of the vertices' distances, not a
+        // cancellation.
+        const double t = (at_a * az + at_b * bz + at_c * cz) / sum;
+        if (!(t_min <= t && t <= t_max)) return std::nullopt;
+        return TriangleHit{t, at_b / sum, at_c / sum, sum > 0};
+    }
+};
+
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
 /// t_min <= t <= t_max. No hit where a coordinate is NaN, nor on triangles that float boxes
 /// couldn't tell from a point. A ray that runs in the plane of a triangle, or aims at one of zero
 /// area, may hit it or not, by the rounding of the shear; it does the same every time.
-inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& a, const Vec3d& b,
-                                            const Vec3d& c, double t_min, double t_max) {
+template <class Point = Vec3d>
+std::optional<TriangleHit> intersect(const ShearedRay& ray, const Point& a, const Point& b,
+                                     const Point& c, double t_min, double t_max) {
     const double ax = ray.x(a), bx = ray.x(b), cx = ray.x(c);
     if (on_one_side(ax, bx, cx)) return std::nullopt;
     const double ay = ray.y(a), by = ray.y(b), cy = ray.y(c);
@@ -99,19 +145,28 @@ inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Vec3d& 
     look_at_edge(bx, by, ax, ay);
     if (some_positive & some_negative) return std::nullopt;
 
-    const double u = difference_of_products(cx, by, cy, bx);
-    const double v = difference_of_products(ax, cy, ay, cx);
-    const double w = difference_of_products(bx, ay, by, ax);
-    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-    const double determinant = u + v + w;
+    const ShearedTriangle triangle(ray, a, b, c);
     // Products of coordinates that small lose their digits to underflow.
     constexpr double kLeastDeterminant = 1e-100;
-    if (!inside || std::abs(determinant) < kLeastDeterminant) return std::nullopt;
+    const bool is_inside = triangle.least >= 0 || triangle.most <= 0;
+    if (!is_inside || std::abs(triangle.determinant()) < kLeastDeterminant) return std::nullopt;
+    return triangle.hit(t_min, t_max);
+}
 
-    // The weights have one sign, so this is a mean of the vertices' distances, not a cancellation.
-    const double t = (u * ray.z(a) + v * ray.z(b) + w * ray.z(c)) / determinant;
-    if (!(t_min <= t && t <= t_max)) return std::nullopt;
-    return TriangleHit{t, v / determinant, w / determinant, determinant > 0};
+/// Edge functions beyond it are so far from 0 that no product lost its digits to underflow: their
+/// signs say what intersect() finds.
+constexpr double kSureEdge = 1e-90;
+
+/// The same, faster where the ray is likely to hit the triangle. Nobody can predict from which
+/// side, so there is one branch on both.
+template <class Point = Vec3d>
+std::optional<TriangleHit> intersect_likely(const ShearedRay& ray, const Point& a, const Point& b,
+                                            const Point& c, double t_min, double t_max) {
+    const ShearedTriangle triangle(ray, a, b, c);
+    const int in_front = triangle.least > kSureEdge, behind = triangle.most < -kSureEdge;
+    if ((in_front | behind) != 0) return triangle.hit(t_min, t_max);
+    if (triangle.least < -kSureEdge && triangle.most > kSureEdge) return std::nullopt;
+    return intersect(ray, a, b, c, t_min, t_max);
 }
 
 }  // namespace boxwood

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <new>
 
 #include "boxwood/core/error.h"
@@ -42,6 +44,26 @@ std::vector<Vec3d> in_double(std::span<const Vec3f> vertices) {
     resize_on_huge_pages(result, vertices.size());
     parallel_for(vertices.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) result[i] = vertices[i].cast<double>();
+    });
+    return result;
+}
+
+bool are_floats(std::span<const Vec3d> vertices) {
+    std::atomic<bool> result = true;
+    parallel_for(vertices.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t piece = begin; piece < end && result; piece += kPiece) {
+            // No branches, so that compilers make vectors of it.
+            std::uint64_t rounded = 0;
+            for (std::size_t i = piece; i < std::min(piece + kPiece, end); ++i) {
+                for (int k = 0; k < 3; ++k) {
+                    const double x = vertices[i][k];
+                    const double nearest = static_cast<float>(x);
+                    rounded |= static_cast<std::uint64_t>(nearest != x) &
+                               static_cast<std::uint64_t>(x == x);
+                }
+            }
+            if (rounded != 0) result = false;
+        }
     });
     return result;
 }

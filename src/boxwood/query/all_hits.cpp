@@ -27,8 +27,8 @@ void visit_crossings(const Surface& surface, const WideTree& tree, const Ray& ra
     const MeshRay mesh_ray(surface, ray);
     double t_max = ray.t_max;
     float farthest = near.ray().t_max;
-    auto look_at = [&](std::uint32_t triangle) {
-        if (auto hit = mesh_ray.crossing(triangle, t_max)) {
+    auto look_at = [&](const auto& candidate) {
+        if (auto hit = mesh_ray.crossing(candidate, t_max)) {
             hit->instance = instance;
             const double limit = visit(*hit);
             if (limit < t_max) {

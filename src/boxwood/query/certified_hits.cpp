@@ -14,17 +14,20 @@ namespace boxwood {
 namespace {
 
 template <class Surface>
-std::optional<Hit> closest_on(const Surface& surface, const WideTree& tree,
-                              const Ray& ray) noexcept {
-    if (tree.is_empty() || !is_traceable(ray)) return std::nullopt;
+void find_closest(const Surface& surface, const WideTree& tree, const Ray& ray,
+                  Hit& closest) noexcept {
+    closest = Hit{};
+    if (tree.is_empty() || !is_traceable(ray)) return;
     const NearRay near = near_ray(surface, tree, ray);
-    if (!near.can_leave_out()) return closest_hit_brute_force(surface, ray);
+    if (!near.can_leave_out()) {
+        closest = closest_hit_brute_force(surface, ray).value_or(Hit{});
+        return;
+    }
     const MeshRay mesh_ray(surface, ray);
-    Hit closest;
     double t_max = ray.t_max;
     float farthest = near.ray().t_max;
-    auto visit = [&](std::uint32_t triangle) {
-        const auto hit = mesh_ray.intersect(triangle, t_max);
+    auto visit = [&](const Candidate& candidate) {
+        const auto hit = mesh_ray.intersect(candidate, t_max);
         if (hit && is_closer(*hit, closest)) {
             closest = *hit;
             t_max = hit->t;
@@ -33,7 +36,14 @@ std::optional<Hit> closest_on(const Surface& surface, const WideTree& tree,
         return farthest;
     };
     visit_candidates(tree, near, visit);
-    if (closest.triangle == TriangleId::kNone) return std::nullopt;
+}
+
+template <class Surface>
+std::optional<Hit> closest_on(const Surface& surface, const WideTree& tree,
+                              const Ray& ray) noexcept {
+    Hit closest;
+    find_closest(surface, tree, ray, closest);
+    if (!closest.is_hit()) return std::nullopt;
     return closest;
 }
 
@@ -44,8 +54,8 @@ bool any_on(const Surface& surface, const WideTree& tree, const Ray& ray) noexce
     if (!near.can_leave_out()) return any_hit_brute_force(surface, ray);
     const MeshRay mesh_ray(surface, ray);
     bool found = false;
-    auto visit = [&](std::uint32_t triangle) {
-        found = found || mesh_ray.intersect(triangle, ray.t_max);
+    auto visit = [&](const Candidate& candidate) {
+        found = found || mesh_ray.intersect(candidate, ray.t_max);
         return found ? -std::numeric_limits<float>::infinity() : near.ray().t_max;
     };
     visit_candidates(tree, near, visit);
@@ -60,6 +70,10 @@ std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& r
 std::optional<Hit> closest_hit(const PlacedMesh& placed, const WideTree& tree,
                                const Ray& ray) noexcept {
     return closest_on(placed, tree, ray);
+}
+
+void closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray, Hit& hit) noexcept {
+    find_closest(mesh, tree, ray, hit);
 }
 
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept {

@@ -19,6 +19,9 @@ namespace boxwood {
 /// closest_hit() of query/closest_hit.h.
 std::optional<Hit> closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
 
+/// The same, faster, with the hit written to its place: Hit{} where there is none.
+void closest_hit(MeshView mesh, const WideTree& tree, const Ray& ray, Hit& hit) noexcept;
+
 /// any_hit() of query/any_hit.h.
 bool any_hit(MeshView mesh, const WideTree& tree, const Ray& ray) noexcept;
 

@@ -48,12 +48,10 @@ public:
             const double sum = at_a + at_b + at_c;
             const double distance =
                 (at_a * (sz * a_[2][i]) + at_b * (sz * b_[2][i]) + at_c * (sz * c_[2][i])) / sum;
-            // So far from an edge that no product lost its digits to underflow.
-            constexpr double kLeast = 1e-90;
             const double least = std::min(std::min(at_a, at_b), at_c),
                          most = std::max(std::max(at_a, at_b), at_c);
-            const bool inside = (least > kLeast) | (most < -kLeast);
-            const bool outside = (least < -kLeast) & (most > kLeast);
+            const bool inside = (least > kSureEdge) | (most < -kSureEdge);
+            const bool outside = (least < -kSureEdge) & (most > kSureEdge);
             const bool in_range = (t_min_[i] <= distance) & (distance <= t_max_[i]);
             hit_[i] = inside & in_range ? 1 : 0;
             missed_[i] = outside | (inside & !in_range) ? 1 : 0;

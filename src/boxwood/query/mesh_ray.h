@@ -11,6 +11,37 @@
 
 namespace boxwood {
 
+/// A triangle that a ray may hit, as a leaf of a tree has it.
+struct Candidate {
+    std::uint32_t triangle;
+    /// Its corner [a, b, c][x, y, z], each `width` places behind the last one, if they are the
+    /// mesh's own; null where they were rounded.
+    const float* corners = nullptr;
+    int width = 0;
+};
+
+/// A corner as a leaf has it.
+struct BlockCorner {
+    const float* first;
+    int width;
+
+    double operator[](int k) const { return first[k * width]; }
+};
+
+// What a mesh and a placed one make of a triangle that a leaf has.
+
+inline const BlockCorner& placed_corner(const MeshView&, const BlockCorner& corner) {
+    return corner;
+}
+inline Vec3d placed_corner(const PlacedMesh& placed, const BlockCorner& corner) {
+    return placed.placement->to_world(Vec3d(corner[0], corner[1], corner[2]));
+}
+/// Leaves only have triangles in the range of float, but placing may take one out of it.
+inline bool stays_in_float_range(const MeshView&, std::size_t) { return true; }
+inline bool stays_in_float_range(const PlacedMesh& placed, std::size_t face) {
+    return is_in_float_range(placed, face);
+}
+
 /// A ray that is to be tested against triangles of a mesh, placed or not: the one meaning of "hit"
 /// that every query shares, and the one of "crossing" that those share that count.
 template <class Surface>
@@ -32,6 +63,20 @@ public:
         });
     }
 
+    // The same for what a tree's leaf says may be hit.
+
+    std::optional<Hit> intersect(const Candidate& candidate, double t_max) const {
+        return tested(candidate, [&](const auto& a, const auto& b, const auto& c) {
+            return intersect_likely(sheared_, a, b, c, ray_.t_min, t_max);
+        });
+    }
+
+    std::optional<Hit> crossing(const Candidate& candidate, double t_max) const {
+        return tested(candidate, [&](const auto& a, const auto& b, const auto& c) {
+            return boxwood::crossing(sheared_, a, b, c, ray_.t_min, t_max);
+        });
+    }
+
     const ShearedRay& sheared() const { return sheared_; }
 
 private:
@@ -43,6 +88,29 @@ private:
         if (!hit || !is_in_float_range(surface_, triangle) || !stops(surface_, hit->from_front))
             return std::nullopt;
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
+    }
+
+    template <class Test>
+    std::optional<Hit> tested(const Candidate& candidate, const Test& test) const {
+        const std::uint32_t triangle = candidate.triangle;
+        if (triangle == ray_.skip.triangle) return std::nullopt;
+        const auto hit = with_corners(candidate, test);
+        if (!hit || !stops(surface_, hit->from_front) || !stays_in_float_range(surface_, triangle))
+            return std::nullopt;
+        return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
+    }
+
+    template <class Test>
+    std::optional<TriangleHit> with_corners(const Candidate& candidate, const Test& test) const {
+        if (candidate.corners == nullptr)
+            return test(surface_.corner(candidate.triangle, 0),
+                        surface_.corner(candidate.triangle, 1),
+                        surface_.corner(candidate.triangle, 2));
+        const auto corner = [&](int i) {
+            return BlockCorner{candidate.corners + 3 * i * candidate.width, candidate.width};
+        };
+        return test(placed_corner(surface_, corner(0)), placed_corner(surface_, corner(1)),
+                    placed_corner(surface_, corner(2)));
     }
 
     Surface surface_;

@@ -168,6 +168,7 @@ RefitQuality refit_checked(WideTree& tree, MeshView moved) {
         root = refit_all(parts, moved);
     }
     const double area = root.box.surface_area();
+    parts.has_exact_corners = has_exact_corners(moved, scale);
     parts.bounds = root.box;
     parts.cost = area > 0 ? root.cost / area : 0;
     tree = WideTree(std::move(parts));

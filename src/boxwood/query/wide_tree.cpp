@@ -30,6 +30,7 @@ WideTreeParts collapsed_parts(MeshView mesh, const Tree& tree, const WideTreeOpt
                                     .scale = parts.scale,
                                     .compact = options.compact,
                                     .spare = std::move(spare)});
+    parts.has_exact_corners = has_exact_corners(mesh, parts.scale);
     parts.memory = WideMemory(std::move(collapsed.memory));
     parts.stack_size = collapsed.stack_size;
     parts.cost = parts.cost_at_build = collapsed.cost;
@@ -46,6 +47,10 @@ float scale_for(const Box3f& bounds) {
     // Sizes up to 2^40 and down to 2^-40 are as good as 1.
     const int exponent = std::ilogb(largest);
     return std::abs(exponent) <= 40 ? 1 : std::ldexp(1.0f, std::clamp(-exponent, -126, 126));
+}
+
+bool has_exact_corners(MeshView mesh, float scale) {
+    return scale == 1 && are_floats(mesh.vertices);
 }
 
 WideTree::WideTree(MeshView mesh, const Tree& tree, const WideTreeOptions& options, Arena spare)

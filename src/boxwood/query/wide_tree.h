@@ -29,6 +29,7 @@ struct WideTreeParts {
     int stack_size = 0;  ///< places that a walk needs at most to remember nodes
     Box3f bounds;
     float scale = 1;
+    bool has_exact_corners = false;
     double cost = 0;
     double cost_at_build = 0;  ///< the same before anything was refitted
     std::size_t faces = 0;     ///< of the mesh
@@ -39,6 +40,9 @@ struct WideTreeParts {
 
 /// The power of two that a tree with these bounds has as its scale.
 float scale_for(const Box3f& bounds);
+
+/// What WideTree::has_exact_corners() says of a tree of this scale. O(n), all cores.
+bool has_exact_corners(MeshView mesh, float scale);
 
 /// The fast form of a tree over the triangles of a mesh: nodes with 4, 8 or 16 children, and leaves
 /// with copies of the triangles in float. It refers to nothing else. What its queries see is the
@@ -68,6 +72,9 @@ public:
     /// The power of two by which all coordinates are multiplied in the tree: 1 but for meshes so
     /// small or so large that float arithmetic on them would lose digits or overflow.
     float scale() const { return parts_.scale; }
+    /// Whether the corners in the leaves are the mesh's own: all its vertices are floats, and the
+    /// scale is 1.
+    bool has_exact_corners() const { return parts_.has_exact_corners; }
     /// What a random line through the bounds is expected to cost, in node visits.
     double cost() const { return parts_.cost; }
 

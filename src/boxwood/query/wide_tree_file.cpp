@@ -26,10 +26,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What Header::leaves says of the leaves.
+constexpr std::uint32_t kCompactLeaves = 1, kExactCorners = 2;
+
 struct Header {
     SavedStart start = SavedStart::of('W');
     std::uint32_t width = 0;
-    std::uint32_t is_compact = 0;
+    std::uint32_t leaves = 0;
     std::uint32_t stack_size = 0;
     float scale = 1;
     float lo[3] = {}, hi[3] = {};
@@ -101,7 +104,7 @@ private:
         if (size - header_.tree_offset != header_.tree_bytes)
             fail("", fmt::format("found {} bytes of tree, expected {}", size - header_.tree_offset,
                                  header_.tree_bytes));
-        if (header_.is_compact > 1 || header_.stack_size > kStackSize)
+        if (header_.leaves > (kCompactLeaves | kExactCorners) || header_.stack_size > kStackSize)
             fail("byte 16", "found values out of range, expected a tree's");
     }
 
@@ -152,7 +155,8 @@ void write_wide_tree(OutputFile& file, const WideTree& tree, MeshView mesh) {
     const std::span<const std::byte> bytes(parts.memory.data(), parts.memory.size());
     Header header;
     header.width = static_cast<std::uint32_t>(tree.width());
-    header.is_compact = parts.is_compact;
+    header.leaves =
+        (parts.is_compact ? kCompactLeaves : 0) | (parts.has_exact_corners ? kExactCorners : 0);
     header.stack_size = static_cast<std::uint32_t>(parts.stack_size);
     header.scale = parts.scale;
     for (int k = 0; k < 3; ++k) {
@@ -198,7 +202,8 @@ WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptio
     WideTreeParts parts;
     parts.instruction_set = *set;
     parts.memory = reader.memory();
-    parts.is_compact = header.is_compact != 0;
+    parts.is_compact = (header.leaves & kCompactLeaves) != 0;
+    parts.has_exact_corners = (header.leaves & kExactCorners) != 0;
     parts.stack_size = static_cast<int>(header.stack_size);
     for (int k = 0; k < 3; ++k) {
         parts.bounds.lo[k] = header.lo[k];

@@ -69,6 +69,14 @@ public:
         return t + off * (last_ - first_) + S::broadcast(2 * error_);
     }
 
+    /// Of some lanes those that aren't hit before t_min for sure: a ray that starts on a surface
+    /// comes to what is around it first.
+    BOXWOOD_KERNEL unsigned not_before(float t_min, unsigned lanes) const {
+        const Float start = S::broadcast(t_min);
+        if ((lanes & S::less(first_, start)) == 0) return lanes;
+        return lanes & ~(is_hit() & S::less(no_farther(), start));
+    }
+
 private:
     float error_;
     Float u_, v_, w_;         ///< edge functions
@@ -80,7 +88,7 @@ private:
 
 template <class S>
 void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
-                     const CandidateVisitor& visitor) noexcept {
+                     const LeafVisitor& visitor) noexcept {
     constexpr int N = S::kWidth;
     if (!is_traceable<typename S::Quad>(ray)) return;
     RaySetup setup;
@@ -91,9 +99,12 @@ void walk_candidates(const WideTreeView& tree, const Rayf& ray, float extra_roun
     TriangleBlock<N> room;
     walk<S>(tree, setup, node_ray, farthest, [&](WideReference reference) {
         const TriangleBlock<N>& block = block_at<N>(tree, reference, room);
-        const unsigned mask =
-            CandidateTest<S>(block, setup, error).may_be_hit(ray.t_min, S::broadcast(farthest));
-        if (mask != 0) farthest = visitor.visit(visitor.context, block.triangle, mask);
+        const CandidateTest<S> test(block, setup, error);
+        unsigned mask = test.may_be_hit(ray.t_min, S::broadcast(farthest));
+        if (mask == 0) return;
+        mask = test.not_before(ray.t_min, mask);
+        if (mask == 0) return;
+        farthest = visitor.visit(visitor.context, block.triangle, &block.corner[0][0][0], N, mask);
     });
 }
 

@@ -18,6 +18,14 @@ struct CandidateVisitor {
     float (*visit)(void* context, const std::uint32_t* triangles, unsigned mask) noexcept;
 };
 
+/// What a walk along a ray calls with those triangles of a leaf that can't be left out, which the
+/// mask names: their indices and corners as in query/wide_node.h, for a leaf of that width.
+struct LeafVisitor {
+    void* context;
+    float (*visit)(void* context, const std::uint32_t* triangles, const float* corners, int width,
+                   unsigned mask) noexcept;
+};
+
 /// Rays in double as the tree sees them: see near_ray.h. Arrays that are equally long.
 struct CandidateRays {
     const Rayf* ray;
@@ -68,7 +76,7 @@ struct RayKernels {
     void (*any_hits_in_columns)(const WideTreeView& tree, const RayColumns& rays,
                                 bool* hits) noexcept;
     void (*walk_candidates)(const WideTreeView& tree, const Rayf& ray, float extra_rounding,
-                            const CandidateVisitor& visitor) noexcept;
+                            const LeafVisitor& visitor) noexcept;
     /// What may be the closest hits of rays, and what may be any hits, or surely is one.
     /// Precondition: the tree needs no more than kWavefrontStack places.
     void (*closest_candidates)(const WideTreeView& tree, const CandidateRays& rays,

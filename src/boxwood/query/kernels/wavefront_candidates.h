@@ -89,6 +89,8 @@ struct CandidatesOfRays {
         const CandidateTest<S> test(block, setup, state.error);
         unsigned mask = test.may_be_hit(setup.t_min, S::broadcast(state.t));
         if (mask == 0) return false;
+        mask = test.not_before(setup.t_min, mask);
+        if (mask == 0) return false;
         mask &= ~S::equal(S::load(block.triangle), S::broadcast_integer(state.skip));
         const unsigned sure =
             mask & test.is_hit() & S::less_equal(S::broadcast(state.sure_min), test.nearest());
