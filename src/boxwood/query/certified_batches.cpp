@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 
+#include "boxwood/core/fetch_ahead.h"
 #include "boxwood/query/certified_hits.h"
 #include "boxwood/query/hit_lanes.h"
 #include "boxwood/query/kernels/ray_kernels.h"
@@ -78,7 +79,7 @@ Hit closest_of(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     Hit closest;
     double t_max = ray.t_max;
     for (std::uint32_t k = 0; k < candidates.count; ++k) {
-        const auto hit = mesh_ray.intersect(candidates.triangle[k], t_max);
+        const auto hit = mesh_ray.intersect(Candidate{candidates.triangle[k]}, t_max);
         if (!hit || !is_closer(*hit, closest)) continue;
         closest = *hit;
         t_max = hit->t;
@@ -88,9 +89,10 @@ Hit closest_of(MeshView mesh, const Ray& ray, const Candidates& candidates) {
 
 bool is_any_hit(MeshView mesh, const Ray& ray, const Candidates& candidates) {
     if (candidates.count == Candidates::kSureHit) return true;
+    if (candidates.count == 0) return false;
     const MeshRay mesh_ray(mesh, ray);
     for (std::uint32_t k = 0; k < candidates.count; ++k) {
-        if (mesh_ray.intersect(candidates.triangle[k], ray.t_max)) return true;
+        if (mesh_ray.intersect(Candidate{candidates.triangle[k]}, ray.t_max)) return true;
     }
     return false;
 }
@@ -106,6 +108,7 @@ public:
     BOXWOOD_KERNEL void decide(std::size_t i) {
         const Candidates& candidates = questions_.candidates[i];
         const std::uint32_t place = questions_.place[i];
+        if (candidates.count == 0) return;
         if (candidates.count != 1) {
             hits_[place] = closest_of(mesh_, rays_[place], candidates);
             return;
@@ -181,6 +184,8 @@ void answer(MeshView mesh, const WideTree& tree, std::span<const Ray> rays,
         run_fused(tree.instruction_set(), [&] {
             questions.count = 0;
             for (std::size_t i = 0; i < size; ++i) {
+                fetch_ahead(some, i);
+                fetch_ahead(places, i);
                 const Ray& ray = some[i];
                 places[i] = Answer{};
                 if (!is_traceable(ray)) continue;
@@ -213,7 +218,9 @@ void closest_hits(MeshView mesh, const WideTree& tree, std::span<const Ray> rays
                   std::span<Hit> hits) noexcept {
     const auto find = ray_kernels(tree.instruction_set()).closest_candidates;
     answer<ClosestHits>(mesh, tree, rays, hits, find, [&](const Ray& ray) {
-        return closest_hit(mesh, tree, ray).value_or(Hit{});
+        Hit hit;
+        closest_hit(mesh, tree, ray, hit);
+        return hit;
     });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The queries of a scene for one hit: those of its instances, put together.
-#include <algorithm>
-
+#include "boxwood/core/fetch_ahead.h"
 #include "boxwood/query/any_hit.h"
 #include "boxwood/query/brute_force.h"
 #include "boxwood/query/certified_hits.h"
@@ -82,7 +81,12 @@ const WideTree* Scene::only_tree(std::span<const Ray> rays) const {
         const bool skips_here = ray.skip.triangle == TriangleId::kNone || ray.skip.instance == 0;
         return skips_here && (ray.visibility & instances_[0].visibility) != 0;
     };
-    return tree && std::all_of(rays.begin(), rays.end(), sees_it) ? tree : nullptr;
+    if (tree == nullptr) return nullptr;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        fetch_ahead(rays, i);
+        if (!sees_it(rays[i])) return nullptr;
+    }
+    return tree;
 }
 
 void Scene::closest_hits(std::span<const Ray> rays, std::span<Hit> hits,
