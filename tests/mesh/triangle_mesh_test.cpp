@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cfloat>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "boxwood/core/error.h"
 #include "boxwood/mesh/generate.h"
@@ -26,6 +30,26 @@ std::string complaint_about(const TriangleMesh& mesh) {
         return error.what();
     }
     return "none";
+}
+
+TEST(AreFloats, one_coordinate_that_is_no_float_is_found_anywhere) {
+    constexpr float kFloats[] = {0, -0.0f, 1, -0.1f, FLT_MAX, -FLT_MAX, FLT_MIN, 1 + FLT_EPSILON};
+    std::vector<Vec3d> vertices;
+    for (std::size_t i = 0; i < 10'000; ++i)
+        vertices.emplace_back(kFloats[i % 8], kFloats[i / 8 % 8], kFloats[i / 64 % 8]);
+    vertices[77] = {kNaN, -kInfinity, kInfinity};
+    EXPECT_TRUE(are_floats({}));
+    EXPECT_TRUE(are_floats(vertices));
+    for (const double x : {0.1, -0.1, 1 + 0x1p-24, std::nextafter(double{FLT_MAX}, kInfinity),
+                           -1e39, DBL_MAX, 1e-40, DBL_TRUE_MIN}) {
+        for (const std::size_t place : {0, 4095, 4096, 9999}) {
+            for (int k = 0; k < 3; ++k) {
+                const double before = std::exchange(vertices[place][k], x);
+                EXPECT_FALSE(are_floats(vertices)) << x << " at " << place << ' ' << k;
+                vertices[place][k] = before;
+            }
+        }
+    }
 }
 
 TEST(CheckIndices, accepts_indices_in_range_and_meshes_without_faces) {

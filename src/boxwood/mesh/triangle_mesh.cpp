@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <new>
 
 #include "boxwood/core/error.h"
@@ -49,20 +51,26 @@ std::vector<Vec3d> in_double(std::span<const Vec3f> vertices) {
 }
 
 bool are_floats(std::span<const Vec3d> vertices) {
+    // By their bits: g++ 12 takes a double for its own rounding to float and back where it makes
+    // vectors of both. No branches, so that it can.
+    const auto is_rounded = [](double x) {
+        constexpr std::uint64_t kDigitsOfDouble =
+            (std::uint64_t{1} << (DBL_MANT_DIG - FLT_MANT_DIG)) - 1;
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &x, sizeof bits);
+        const double size = std::abs(x);
+        const int has_digits = (bits & kDigitsOfDouble) != 0;
+        const int is_finite = size <= DBL_MAX, is_large = size > FLT_MAX;
+        const int is_small = static_cast<int>(size > 0) & static_cast<int>(size < FLT_MIN);
+        return is_finite & (has_digits | is_large | is_small);
+    };
     std::atomic<bool> result = true;
     parallel_for(vertices.size(), kPiece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t piece = begin; piece < end && result; piece += kPiece) {
-            // No branches, so that compilers make vectors of it.
-            std::uint64_t rounded = 0;
-            for (std::size_t i = piece; i < std::min(piece + kPiece, end); ++i) {
-                for (int k = 0; k < 3; ++k) {
-                    const double x = vertices[i][k];
-                    const double nearest = static_cast<float>(x);
-                    rounded |= static_cast<std::uint64_t>(nearest != x) &
-                               static_cast<std::uint64_t>(x == x);
-                }
-            }
-            if (rounded != 0) result = false;
+            int some = 0;
+            for (std::size_t i = piece; i < std::min(piece + kPiece, end); ++i)
+                for (int k = 0; k < 3; ++k) some |= is_rounded(vertices[i][k]);
+            if (some != 0) result = false;
         }
     });
     return result;

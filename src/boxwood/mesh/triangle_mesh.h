@@ -32,8 +32,9 @@ struct MeshViewf {
 /// The same vertices in double. O(n), all cores.
 std::vector<Vec3d> in_double(std::span<const Vec3f> vertices);
 
-/// Whether rounding to float would change no vertex, those aside that are not finite. O(n), all
-/// cores; O(1) for most meshes that aren't in float.
+/// Whether rounding to float would change no vertex, and all coordinates are 0 or in the normal
+/// range of float, those aside that are not finite. O(n), all cores; O(1) for most meshes that
+/// aren't in float.
 bool are_floats(std::span<const Vec3d> vertices);
 
 /// An indexed triangle mesh.
