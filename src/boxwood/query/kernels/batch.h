@@ -16,9 +16,9 @@
 
 namespace boxwood {
 
-/// Where a group takes more steps, its triangles are smaller than the distance of its rays, or its
-/// rays are no tiles. If its neighbours are like it, more and more of them go ray by ray.
-constexpr std::size_t kMostStepsPerRay = 16;
+/// Where a group takes too many steps, its triangles are smaller than the distance of its rays, or
+/// its rays are no tiles. If its neighbours are like it, more and more of them go ray by ray, up to
+/// so many.
 constexpr std::size_t kMostPasses = 15;
 
 /// Rays that have no more in common than that they are asked for together; rays and hits may be
@@ -93,7 +93,7 @@ BOXWOOD_KERNEL void answer_by_groups(const WideTreeView& tree, const Rayf* rays,
             continue;
         const Rayf* next_rays = i + 2 * kGroup <= count ? rays + i + kGroup : rays + i;
         if (!frustum.load(rays + i, GroupFetch<Answer>{next_rays, answers + i})) continue;
-        if (!frustum.run(kMostStepsPerRay * kGroup)) {
+        if (!frustum.run()) {
             passes = dense = dense < kMostPasses ? 2 * dense + 1 : dense;
             continue;
         }

@@ -43,7 +43,8 @@ BOXWOOD_KERNEL BlockTriangle triangle_of_code(const WideTreeView& tree, std::uin
 
 /// The rule is what becomes of triangles. It has
 /// - kIsRounded: whether rays and triangles are those in double, rounded;
-/// - kStepsOfOpen: what deciding a pair costs that isn't sure, in tests of pairs;
+/// - kStepsOfOpen: what deciding a pair costs that isn't sure, in steps of Frustum::run();
+/// - kMostStepsPerRay: a group that takes more is slower than its rays alone;
 /// - start(packet): the packet has new rays;
 /// - decide_open(packet, code, sure): whether rays of the packet hit that triangle isn't sure.
 ///   Returns whether that brought what is near closer;
@@ -85,22 +86,26 @@ public:
     }
 
     /// Finds the hits; gives up, and returns false, when that takes more steps than the limit. A
-    /// step is the test of a pair of a packet and a triangle, or of a ray and a block.
-    BOXWOOD_KERNEL bool run(std::size_t most_steps) {
-        std::size_t steps = 0;
+    /// step takes about as long as the test of a pair of a packet and a triangle.
+    BOXWOOD_KERNEL bool run() {
+        // In vectors of less than 16 lanes a step takes less time.
+        constexpr std::size_t most_steps = kRays * Rule::kMostStepsPerRay * 16 / N;
+        std::size_t steps = kStepsPerNode;
         int size = visit_node(0, 0);
         while (size > 0) {
             const Entry entry = stack_[--size];
             if (entry.enter > farthest_) continue;
+            steps += kStepsPerBox;
             const BoxInView box = box_of(entry);
             const unsigned packets = packets_that_see(box);
             if (packets == 0) continue;
             if (!is_leaf(entry.reference)) {
+                steps += kStepsPerNode;
                 size = visit_node(entry.reference, size);
             } else {
                 steps += visit_leaf(entry.reference, box, packets);
-                if (steps > most_steps) return false;
             }
+            if (steps > most_steps) return false;
         }
         return true;
     }
@@ -113,7 +118,11 @@ public:
 private:
     using Float = typename S::Float;
 
-    static constexpr std::size_t kStepsPerBlock = 8;
+    // What things cost in steps, by a fit to the times of cameras near and far, with pictures large
+    // and small: to look at a node's children, at a box that comes from the stack, which rays of a
+    // packet see a leaf, to work out linear functions for a block, to test a ray with a block.
+    static constexpr std::size_t kStepsPerNode = 16, kStepsPerBox = 5, kStepsPerPacket = 4,
+                                 kStepsPerBlock = 8, kStepsPerRay = 5;
     /// Up to so many rays are tested with a block one by one: as long as that is faster.
     static constexpr int kFewRays = N;
     /// A child to visit, and whose child it is.
@@ -236,9 +245,11 @@ private:
             count += __builtin_popcount(rays[packet]);
             seeing |= unsigned{rays[packet] != 0} << packet;
         }
-        if (count == 0) return 0;
+        const std::size_t steps =
+            kStepsPerPacket * static_cast<std::size_t>(__builtin_popcount(packets));
+        if (count == 0) return steps;
         const TriangleBlock<N>& block = block_at<N>(tree_, reference, room_);
-        if (count > kFewRays) return visit_block(reference, block, seeing) + kStepsPerBlock;
+        if (count > kFewRays) return steps + kStepsPerBlock + visit_block(reference, block, seeing);
         unsigned changed = 0;
         const BlockFromOrigin<S> from_origin(block, rays_);
         for (; seeing != 0; seeing &= seeing - 1) {
@@ -251,7 +262,7 @@ private:
             }
         }
         note_changes(changed);
-        return static_cast<std::size_t>(count);
+        return steps + kStepsPerRay * static_cast<std::size_t>(count);
     }
 
     BOXWOOD_KERNEL std::size_t visit_block(WideReference reference, const TriangleBlock<N>& block,

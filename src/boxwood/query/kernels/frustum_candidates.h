@@ -14,7 +14,8 @@ class FrustumCandidates {
 public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = true;
-    static constexpr int kStepsOfOpen = 8;
+    static constexpr int kStepsOfOpen = 12;
+    static constexpr std::size_t kMostStepsPerRay = 28;
 
     BOXWOOD_KERNEL FrustumCandidates(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
