@@ -83,6 +83,40 @@ TEST_P(WideLaws, queries_in_double_equal_brute_force_to_the_last_bit) {
     }
 }
 
+TEST_P(WideLaws, rays_in_double_begin_and_end_to_the_last_bit) {
+    const TriangleMesh mesh = GetParam().make();
+    const std::vector<NamedTree> trees = all_trees(mesh);
+    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
+        const Ray ray = ray_from_near_or_far(mesh, seed);
+        const auto hit = closest_hit_brute_force(mesh, ray);
+        if (!hit) continue;
+        std::vector<Ray> rays;
+        for (const double t :
+             {std::nextafter(hit->t, -HUGE_VAL), hit->t, std::nextafter(hit->t, HUGE_VAL)}) {
+            rays.push_back(ray);
+            rays.back().t_min = t;
+            rays.push_back(ray);
+            rays.back().t_max = t;
+        }
+        // Enough that they go as a batch, too.
+        while (rays.size() < 12) rays.push_back(rays[rays.size() - 6]);
+        std::vector<Hit> expected, hits(rays.size());
+        for (const Ray& each : rays)
+            expected.push_back(closest_hit_brute_force(mesh, each).value_or(Hit{}));
+        for (const auto& [name, tree] : trees) {
+            closest_hits(mesh, tree, rays, hits);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                SCOPED_TRACE(name + ", seed " + std::to_string(seed) + ", " +
+                             testing::PrintToString(rays[i]));
+                ASSERT_TRUE(are_identical(hits[i], expected[i]));
+                Hit single;
+                closest_hit(mesh, tree, rays[i], single);
+                ASSERT_TRUE(are_identical(single, expected[i]));
+            }
+        }
+    }
+}
+
 /// Tiles of a camera, which begin where groups do, and rays of all sorts, so that every kernel has
 /// its share.
 template <class RayAt>

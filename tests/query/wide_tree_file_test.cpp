@@ -95,6 +95,23 @@ TEST_F(WideTreeFile, tells_whether_corners_are_exact) {
     }
 }
 
+TEST_F(WideTreeFile, corners_that_are_scaled_are_not_exact) {
+    for (Vec3d& vertex : mesh_.vertices) vertex *= 0x1p60;
+    save_wide_tree(tree_over(mesh_), mesh_, path_);
+    std::string content = content_of(path_);
+    const std::uint32_t exact = 2;
+    std::memcpy(content.data() + 20, &exact, sizeof exact);
+    std::memset(content.data() + 136, 0, 8);
+    std::uint64_t begin = 0;
+    std::memcpy(&begin, content.data() + 72, sizeof begin);
+    const std::uint64_t hash = hash_of(std::as_bytes(std::span(content).first(begin)));
+    std::memcpy(content.data() + 136, &hash, sizeof hash);
+    for (const bool trust : {false, true})
+        EXPECT_EQ(
+            error_with(content, trust),
+            expected(":byte 20: found corners as they are in a tree with a scale, expected none"));
+}
+
 TEST_F(WideTreeFile, outlives_its_name_and_moves) {
     WideTree opened = open_wide_tree(path_, mesh_);
     fs::remove(path_);

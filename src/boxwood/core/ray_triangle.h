@@ -122,7 +122,8 @@ struct ShearedTriangle {
 /// The hit on the triangle (a, b, c), seen from either side, edges and vertices included, with
 /// t_min <= t <= t_max. No hit where a coordinate is NaN, nor on triangles that float boxes
 /// couldn't tell from a point. A ray that runs in the plane of a triangle, or aims at one of zero
-/// area, may hit it or not, by the rounding of the shear; it does the same every time.
+/// area, may hit it or not, by the rounding of the shear; it does the same every time. A Point is
+/// what has coordinates as point[k].
 template <class Point = Vec3d>
 std::optional<TriangleHit> intersect(const ShearedRay& ray, const Point& a, const Point& b,
                                      const Point& c, double t_min, double t_max) {

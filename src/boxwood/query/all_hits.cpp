@@ -12,6 +12,7 @@
 #include "boxwood/query/hit_places.h"
 #include "boxwood/query/mesh_ray.h"
 #include "boxwood/query/near_ray.h"
+#include "boxwood/query/traverse.h"
 
 namespace boxwood {
 
@@ -33,7 +34,8 @@ void visit_crossings(const Surface& surface, const WideTree& tree, const Ray& ra
             const double limit = visit(*hit);
             if (limit < t_max) {
                 t_max = limit;
-                farthest = near.farthest(limit);
+                farthest = limit == kEndOfWalk ? -std::numeric_limits<float>::infinity()
+                                               : near.farthest(limit);
             }
         }
         return farthest;
@@ -71,7 +73,7 @@ void add_crossings(const Surface& surface, const WideTree& tree, const Ray& ray,
             return std::numeric_limits<double>::infinity();
         } catch (...) {
             out_of_memory = std::current_exception();
-            return -std::numeric_limits<double>::infinity();
+            return kEndOfWalk;
         }
     });
     if (out_of_memory) std::rethrow_exception(out_of_memory);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cfloat>
 #include <cstdint>
 #include <optional>
 
@@ -37,9 +38,12 @@ inline Vec3d placed_corner(const PlacedMesh& placed, const BlockCorner& corner) 
     return placed.placement->to_world(Vec3d(corner[0], corner[1], corner[2]));
 }
 /// Leaves only have triangles in the range of float, but placing may take one out of it.
-inline bool stays_in_float_range(const MeshView&, std::size_t) { return true; }
-inline bool stays_in_float_range(const PlacedMesh& placed, std::size_t face) {
-    return is_in_float_range(placed, face);
+template <class Point>
+bool stays_in_float_range(const MeshView&, const Point&) {
+    return true;
+}
+inline bool stays_in_float_range(const PlacedMesh&, const Vec3d& corner) {
+    return (corner.array().abs() <= FLT_MAX).all();
 }
 
 /// A ray that is to be tested against triangles of a mesh, placed or not: the one meaning of "hit"
@@ -95,22 +99,28 @@ private:
         const std::uint32_t triangle = candidate.triangle;
         if (triangle == ray_.skip.triangle) return std::nullopt;
         const auto hit = with_corners(candidate, test);
-        if (!hit || !stops(surface_, hit->from_front) || !stays_in_float_range(surface_, triangle))
-            return std::nullopt;
+        if (!hit || !stops(surface_, hit->from_front)) return std::nullopt;
         return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
     }
 
     template <class Test>
     std::optional<TriangleHit> with_corners(const Candidate& candidate, const Test& test) const {
+        const auto in_range = [&](const auto& a, const auto& b, const auto& c) {
+            auto hit = test(a, b, c);
+            if (hit && !(stays_in_float_range(surface_, a) && stays_in_float_range(surface_, b) &&
+                         stays_in_float_range(surface_, c)))
+                hit.reset();
+            return hit;
+        };
         if (candidate.corners == nullptr)
-            return test(surface_.corner(candidate.triangle, 0),
-                        surface_.corner(candidate.triangle, 1),
-                        surface_.corner(candidate.triangle, 2));
+            return in_range(surface_.corner(candidate.triangle, 0),
+                            surface_.corner(candidate.triangle, 1),
+                            surface_.corner(candidate.triangle, 2));
         const auto corner = [&](int i) {
             return BlockCorner{candidate.corners + 3 * i * candidate.width, candidate.width};
         };
-        return test(placed_corner(surface_, corner(0)), placed_corner(surface_, corner(1)),
-                    placed_corner(surface_, corner(2)));
+        return in_range(placed_corner(surface_, corner(0)), placed_corner(surface_, corner(1)),
+                        placed_corner(surface_, corner(2)));
     }
 
     Surface surface_;

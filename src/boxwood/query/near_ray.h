@@ -66,6 +66,7 @@ public:
     float extra_rounding() const { return extra_rounding_; }
 
     /// A distance no hit at t is beyond, a unit or two in the last place from the least.
+    /// Precondition: t is more than minus infinity.
     float farthest(double t) const {
         const auto nearest = static_cast<float>(t * to_tree_ + beyond_);
         return nearest + (0x1p-23f * std::abs(nearest) + FLT_MIN);

@@ -219,6 +219,8 @@ WideTree wide_tree_in(const PartOfFile& part, MeshView mesh, const OpenTreeOptio
     if (parts.scale != scale_for(parts.bounds))
         reader.fail("byte 28", fmt::format("found scale {}, expected {}", parts.scale,
                                            scale_for(parts.bounds)));
+    if (parts.has_exact_corners && parts.scale != 1)
+        reader.fail("byte 20", "found corners as they are in a tree with a scale, expected none");
     if (!options.trust) {
         const std::uint64_t found = hash_of({parts.memory.data(), parts.memory.size()});
         if (found != header.tree_hash)

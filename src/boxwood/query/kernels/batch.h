@@ -16,9 +16,9 @@
 
 namespace boxwood {
 
-/// Where a group takes too many steps, its triangles are smaller than the distance of its rays, or
-/// its rays are no tiles. If its neighbours are like it, more and more of them go ray by ray, up to
-/// so many.
+/// Where groups take too many steps, triangles are smaller than the distance of their rays, or
+/// these are no tiles. If the neighbours of one are like it, more and more of them go ray by ray,
+/// up to so many.
 constexpr std::size_t kMostPasses = 15;
 
 /// Rays that have no more in common than that they are asked for together; rays and hits may be
@@ -80,6 +80,8 @@ BOXWOOD_KERNEL void answer_by_groups(const WideTreeView& tree, const Rayf* rays,
                                      const Others& others) {
     constexpr std::size_t kGroup = Frustum<S, Rule>::kRays;
     Frustum<S, Rule> frustum(tree);
+    constexpr std::size_t kStepsAlone = Frustum<S, Rule>::kStepsAlone;
+    std::size_t saved = 0;   // steps that groups before took less, so that this one may take more
     std::size_t begin = 0;   // of the rays that were passed over
     std::size_t passes = 0;  // groups to pass over before the next try ...
     std::size_t dense = 0;   // ... and after it, should it be dense
@@ -93,10 +95,14 @@ BOXWOOD_KERNEL void answer_by_groups(const WideTreeView& tree, const Rayf* rays,
             continue;
         const Rayf* next_rays = i + 2 * kGroup <= count ? rays + i + kGroup : rays + i;
         if (!frustum.load(rays + i, GroupFetch<Answer>{next_rays, answers + i})) continue;
-        if (!frustum.run()) {
+        if (!frustum.run(kStepsAlone + saved)) {
+            saved = 0;
             passes = dense = dense < kMostPasses ? 2 * dense + 1 : dense;
             continue;
         }
+        saved += kStepsAlone;
+        saved = frustum.steps() < saved ? saved - frustum.steps() : 0;
+        if (saved > 2 * kStepsAlone) saved = 2 * kStepsAlone;
         dense = 0;
         others(begin, i);
         frustum.write(answers + i);

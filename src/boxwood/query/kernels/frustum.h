@@ -44,7 +44,7 @@ BOXWOOD_KERNEL BlockTriangle triangle_of_code(const WideTreeView& tree, std::uin
 /// The rule is what becomes of triangles. It has
 /// - kIsRounded: whether rays and triangles are those in double, rounded;
 /// - kStepsOfOpen: what deciding a pair costs that isn't sure, in steps of Frustum::run();
-/// - kMostStepsPerRay: a group that takes more is slower than its rays alone;
+/// - kStepsOfRayAlone: what a ray takes by itself, in such steps, with 16 lanes;
 /// - start(packet): the packet has new rays;
 /// - decide_open(packet, code, sure): whether rays of the packet hit that triangle isn't sure.
 ///   Returns whether that brought what is near closer;
@@ -58,6 +58,9 @@ public:
     static constexpr std::size_t kRays = FrustumRays<S>::kRays;
     /// As code_of() needs it.
     static constexpr std::uint64_t kLargestTree = (std::uint64_t{1} << 32) / N * kReferenceUnit;
+    /// What the rays of a group take by themselves. In vectors of fewer lanes a step takes less
+    /// time.
+    static constexpr std::size_t kStepsAlone = kRays * Rule::kStepsOfRayAlone * 16 / N;
 
     BOXWOOD_KERNEL explicit Frustum(const WideTreeView& tree) : tree_(tree), rule_(tree, rays_) {}
 
@@ -86,16 +89,16 @@ public:
     }
 
     /// Finds the hits; gives up, and returns false, when that takes more steps than the limit. A
-    /// step takes about as long as the test of a pair of a packet and a triangle.
-    BOXWOOD_KERNEL bool run() {
-        // In vectors of less than 16 lanes a step takes less time.
-        constexpr std::size_t most_steps = kRays * Rule::kMostStepsPerRay * 16 / N;
+    /// step takes about as long as the test of a pair of a packet and a triangle. What its last
+    /// leaf takes no longer counts.
+    BOXWOOD_KERNEL bool run(std::size_t most_steps) {
         std::size_t steps = kStepsPerNode;
         int size = visit_node(0, 0);
         while (size > 0) {
             const Entry entry = stack_[--size];
             if (entry.enter > farthest_) continue;
             steps += kStepsPerBox;
+            if (steps > most_steps) return false;
             const BoxInView box = box_of(entry);
             const unsigned packets = packets_that_see(box);
             if (packets == 0) continue;
@@ -105,10 +108,12 @@ public:
             } else {
                 steps += visit_leaf(entry.reference, box, packets);
             }
-            if (steps > most_steps) return false;
         }
+        steps_ = steps;
         return true;
     }
+    /// What it took. Precondition: run() returned true.
+    BOXWOOD_KERNEL std::size_t steps() const { return steps_; }
 
     template <class Answer>
     BOXWOOD_KERNEL void write(Answer* answers) {
@@ -313,6 +318,7 @@ private:
     // Of the group and of each packet: the least inverse depth at which a ray looks for hits, and
     // how far along z that is.
     float group_nearest_, farthest_;
+    std::size_t steps_ = 0;
     alignas(64) float nearest_[N], far_[N];
     SureHits<S> sure_;
     Rule rule_;

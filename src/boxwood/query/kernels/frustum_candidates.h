@@ -15,7 +15,7 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = true;
     static constexpr int kStepsOfOpen = 12;
-    static constexpr std::size_t kMostStepsPerRay = 28;
+    static constexpr std::size_t kStepsOfRayAlone = 32;
 
     BOXWOOD_KERNEL FrustumCandidates(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}

@@ -16,7 +16,7 @@ public:
     static constexpr int N = S::kWidth;
     static constexpr bool kIsRounded = false;
     static constexpr int kStepsOfOpen = 0;  ///< there are few
-    static constexpr std::size_t kMostStepsPerRay = 20;
+    static constexpr std::size_t kStepsOfRayAlone = 20;
 
     BOXWOOD_KERNEL FrustumHits(const WideTreeView& tree, const FrustumRays<S>& rays)
         : tree_(tree), rays_(rays) {}
