@@ -229,7 +229,6 @@ TriangleMesh in_float(TriangleMesh mesh) {
     return mesh;
 }
 TriangleMesh soup_in_float() { return in_float(soup()); }
-TriangleMesh needles_in_float() { return in_float(needles()); }
 TriangleMesh far_away_in_float() { return in_float(moved(torus_knot(), 1, {0, 1e5, 0})); }
 TriangleMesh bad_vertices_in_float() { return in_float(with_bad_vertices()); }
 
@@ -324,7 +323,6 @@ const std::vector<MeshFamily>& mesh_families() {
         {"subnormal", subnormal},
         {"largest_floats", largest_floats},
         {"soup_in_float", soup_in_float},
-        {"needles_in_float", needles_in_float},
         {"far_away_in_float", far_away_in_float},
         {"bad_vertices_in_float", bad_vertices_in_float},
     };
