@@ -91,8 +91,7 @@ PrecisionScore measure(const BenchMesh& mesh, const Scene& scene, const RaySet& 
                 closest_hit(tree, rays_in_float[i], hits_in_float[i]);
         });
         in_double.time([&] {
-            for (std::size_t i = 0; i < rays.size(); ++i)
-                closest_hit(view, tree, rays[i], hits[i]);
+            for (std::size_t i = 0; i < rays.size(); ++i) closest_hit(view, tree, rays[i], hits[i]);
         });
         batch_in_float.time([&] { closest_hits(tree, rays_in_float, hits_in_float); });
         batch_in_double.time([&] { scene.closest_hits(rays, hits); });

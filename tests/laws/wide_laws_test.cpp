@@ -145,6 +145,7 @@ TEST_P(WideLaws, batches_in_double_equal_brute_force_to_the_last_bit) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<Ray> rays = many_rays(mesh, ray_from_near_or_far);
     std::vector<std::optional<Hit>> expected;
+    expected.reserve(rays.size());
     for (const Ray& ray : rays) expected.push_back(closest_hit_brute_force(mesh, ray));
     for (const auto& [name, tree] : all_trees(mesh)) {
         for (const std::size_t count : {std::size_t{1}, std::size_t{9}, rays.size()}) {
@@ -173,6 +174,7 @@ TEST_P(WideLaws, batches_equal_single_rays_to_the_last_bit) {
     const std::vector<NamedTree> trees = all_trees(mesh);
     const float scale = trees[0].tree.scale();
     std::vector<std::optional<Hitf>> expected;
+    expected.reserve(rays.size());
     for (const Rayf& ray : rays) expected.push_back(FloatOracle(mesh, ray, scale).closest_hit());
     for (const auto& [name, tree] : trees) {
         for (const std::size_t count :
