@@ -89,18 +89,21 @@ private:
         if (triangle == ray_.skip.triangle) return std::nullopt;
         const auto hit = test(surface_.corner(triangle, 0), surface_.corner(triangle, 1),
                               surface_.corner(triangle, 2));
-        if (!hit || !is_in_float_range(surface_, triangle) || !stops(surface_, hit->from_front))
-            return std::nullopt;
-        return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
+        if (!hit || !is_in_float_range(surface_, triangle)) return std::nullopt;
+        return on_this_side(*hit, triangle);
     }
 
     template <class Test>
     std::optional<Hit> tested(const Candidate& candidate, const Test& test) const {
-        const std::uint32_t triangle = candidate.triangle;
-        if (triangle == ray_.skip.triangle) return std::nullopt;
+        if (candidate.triangle == ray_.skip.triangle) return std::nullopt;
         const auto hit = with_corners(candidate, test);
-        if (!hit || !stops(surface_, hit->from_front)) return std::nullopt;
-        return Hit{.t = hit->t, .u = hit->u, .v = hit->v, .triangle = triangle};
+        if (!hit) return std::nullopt;
+        return on_this_side(*hit, candidate.triangle);
+    }
+
+    std::optional<Hit> on_this_side(const TriangleHit& hit, std::uint32_t triangle) const {
+        if (!stops(surface_, hit.from_front)) return std::nullopt;
+        return Hit{.t = hit.t, .u = hit.u, .v = hit.v, .triangle = triangle};
     }
 
     template <class Test>
